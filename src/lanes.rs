@@ -36,7 +36,7 @@ impl Lanes for F64x8 {
     fn value(&self, lane: usize) -> f64 {
         self.0.as_array()[lane % LANES]
     }
-    /// Where it stands: a copy of all lanes would have to wait for the one.
+    /// Write in place: a copy of all lanes would have to wait for the changed one.
     #[inline]
     fn put(&mut self, lane: usize, value: f64) {
         self.0.as_mut_array()[lane % LANES] = value;

@@ -153,7 +153,7 @@ pub use starts::{BadStarts, StartProblem, read_starts};
 #[doc(inline)]
 pub use plm_program as view;
 
-/// What a package of Python has of a mechanism: a run by number, by a method that is named, which can be ended on its way.
+/// Runs for a Python package: numbers of a mechanism by index, a method by its name, and interruption during a run.
 #[cfg(all(feature = "foreign", feature = "analysis"))]
 pub use plm_python::run as python;
 

@@ -10,14 +10,14 @@ use crate::lexer::{Kind, Token, tokens};
 /// One declaration of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Excerpt {
-    /// Where it stands, without the brackets of a macro.
+    /// Its range in the file, without the brackets of a macro.
     pub(crate) range: Range<usize>,
-    /// What of a Rust file belongs to it; `None` where the file is the declaration.
+    /// Ranges of a Rust file that belong to it; `None` if the file is the declaration.
     kept: Option<Vec<Range<usize>>>,
 }
 
 impl Excerpt {
-    /// The file with a blank for each byte of what does not belong to the declaration; `None` where the file is the declaration.
+    /// The file with a blank for each byte outside the declaration; `None` if the file is the declaration.
     pub(crate) fn masked(&self, text: &str) -> Option<String> {
         self.kept.as_ref().map(|kept| masked(text, kept))
     }
@@ -111,7 +111,7 @@ type Shared<'a> = BTreeMap<&'a str, Vec<Range<usize>>>;
 /// A call of a macro.
 #[derive(Clone)]
 struct Call {
-    /// What stands within its brackets.
+    /// Range within its brackets.
     inside: Range<usize>,
     /// Indices of the tokens within.
     tokens: Range<usize>,
@@ -190,7 +190,7 @@ impl Rust<'_> {
         Ok(Excerpt { range: call.inside.clone(), kept: Some(kept) })
     }
 
-    /// Of each `parts! { pub name { … } }`: the word and the definitions in their brackets, as a declaration has them in front.
+    /// Of each `parts! { pub name { … } }`: the ranges of the keyword and of the definitions in brackets, which a declaration has in front.
     fn shared(&self) -> Shared<'_> {
         let mut shared = BTreeMap::new();
         for call in self.calls("parts") {

@@ -2,17 +2,17 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Somebody waits for an interrupt, and ends by itself.
+/// A command waits for an interrupt, and ends by itself.
 static WAITS: AtomicBool = AtomicBool::new(false);
-/// It has come.
+/// An interrupt has come.
 static CAME: AtomicBool = AtomicBool::new(false);
 
-/// Tells of Ctrl+C. True where whatever runs ends by itself; a program ends at once otherwise, as at the second time.
+/// Reports Ctrl+C. True if the running command ends by itself; else the program must end at once, also at the second interrupt.
 pub fn interrupt() -> bool {
     WAITS.load(Ordering::Relaxed) && !CAME.swap(true, Ordering::Relaxed)
 }
 
-/// From now on what runs asks [`came`], and ends by itself.
+/// From now on the running command polls [`came`], and ends by itself.
 pub(crate) fn wait() {
     WAITS.store(true, Ordering::Relaxed);
 }

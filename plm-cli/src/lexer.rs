@@ -1,14 +1,14 @@
 //! Tokens of a text with its comments: what a formatter keeps, and where declarations stand in a Rust file.
 //!
 //! The lexical rules are those of Rust, which declarations share (The Rust Reference, chapter 2). A text may be anything: what begins
-//! no token is a mark, and what is not closed ends with the text.
+//! no token is a mark, and a token that is not closed ends with the text.
 
 use std::ops::Range;
 
 /// Kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// A name or a word of the language.
+    /// A name or a keyword.
     Word,
     /// A number with what touches it: `0.5m`.
     Number,
@@ -38,7 +38,7 @@ impl Kind {
 pub(crate) struct Token {
     /// Its kind.
     pub(crate) kind: Kind,
-    /// Where it stands.
+    /// Its range in the text.
     pub(crate) range: Range<usize>,
 }
 
@@ -97,7 +97,7 @@ fn is_word(c: char) -> bool {
     c == '_' || c.is_alphanumeric()
 }
 
-/// Length of the word that a text begins with.
+/// Length of the name or keyword at the beginning of a text.
 fn word(text: &str) -> usize {
     text.find(|c| !is_word(c)).unwrap_or(text.len())
 }

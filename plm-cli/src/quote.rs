@@ -10,7 +10,7 @@ use plm_dynamic::Refused;
 
 use crate::read::File;
 
-/// What a run of a text has no room for, with its place and what to do.
+/// Message for a declaration that is too large for a run from text, with its place and advice.
 pub(crate) fn too_large(refused: &Refused, severity: &str, file: &File) -> String {
     let Refused::TooLarge { first, .. } = refused else { return refused.to_string() };
     let place = quote(first, file).unwrap_or_default();
@@ -70,7 +70,7 @@ fn written(expression: &str, text: &str) -> Option<Range<usize>> {
     Some(first..last + text[last..].chars().next()?.len_utf8())
 }
 
-/// Where a whole word stands first in a text.
+/// Position of the first whole occurrence of a name in a text.
 fn word(text: &str, name: &str) -> Option<usize> {
     let is_letter = |letter: char| letter.is_alphanumeric() || letter == '_';
     text.match_indices(name)

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-/// What a column is called, and its unit: `arm.angle (deg)`; the name alone of a pure number. As in the tables of compiled programs.
+/// Heading of a column with its unit: `arm.angle (deg)`; the name alone of a pure number. As in the tables of compiled programs.
 pub(crate) fn heading(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") }
 }
@@ -53,7 +53,7 @@ fn texts(numbers: &[f64]) -> Vec<String> {
         } else {
             format!("{number:.0$e}", DIGITS as usize - 1)
         };
-        // What is rounded to zero has no sign.
+        // A number that is rounded to zero has no sign.
         let is_zero = text.starts_with('-') && text.parse::<f64>().is_ok_and(|number| number.abs() <= 0.0);
         if is_zero { text.trim_start_matches('-').to_owned() } else { text }
     };

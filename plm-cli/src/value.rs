@@ -26,7 +26,7 @@ pub fn value(text: &str, si: &str) -> Result<f64, String> {
     Ok(if number.starts_with('-') { -found } else { found })
 }
 
-/// The same of a quantity with a declared unit, whose values times `factor` are in SI: a number alone is in that unit.
+/// Reads a value of a quantity with a declared unit, whose values times `factor` are in SI: a number alone is in that unit.
 ///
 /// # Errors
 /// As [`value`].

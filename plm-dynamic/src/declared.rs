@@ -27,7 +27,7 @@ impl Mechanism {
         })
     }
 
-    /// The same of each input.
+    /// Name, SI unit and declared unit of each input; a value in SI is one in the declared unit times the factor.
     pub fn declared_inputs(&self) -> impl Iterator<Item = Declared<'_>> + Clone {
         let description = &self.lowered().description.quantities.inputs;
         self.inputs().zip(description).map(|((name, si), own)| Declared {

@@ -65,7 +65,7 @@ fn named(all: impl Iterator<Item = (&'static String, &'static String)>) -> Named
     kept(all.map(|(name, unit)| (name.as_str(), unit.as_str())))
 }
 
-/// Names and SI units; that of a pure number is told in words, as by compiled code.
+/// Names and SI units; a pure number has the text `no unit`, as in compiled code.
 fn with_units(all: &'static [lowered::Named]) -> Named {
     let unit = |unit: &'static str| if unit.is_empty() { "no unit" } else { unit };
     kept(all.iter().map(|of| (of.name.as_str(), unit(of.unit.as_str()))))

@@ -15,7 +15,7 @@ type Lifted = Dual<f64, 1>;
 /// Mechanisms of at most 8 bodies on such numbers.
 type Small = Dynamic<Lifted, 24, 32, 64, 24>;
 
-/// What a derivative is taken by.
+/// Variable of differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum By {
     /// A parameter by its number.

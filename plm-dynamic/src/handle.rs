@@ -42,7 +42,7 @@ pub struct Starts<S, const N: usize> {
     pub(crate) values: [Start<S>; N],
 }
 
-/// What is held over a step.
+/// Discrete state of a mechanism from text.
 pub(crate) type Held<S, const NQ: usize, const L: usize, const H: usize, const R: usize> =
     HeldOf<[S; H], [S; H], [<S as Scalar>::Turns; NQ], OfLoops<Memory<S, L>, [S; NQ]>, contact::Held<S, R>>;
 
@@ -104,7 +104,7 @@ impl<'a, S: Scalar, const NQ: usize, const L: usize, const H: usize, const R: us
         Frame { q, v, ..Frame::at(t) }
     }
 
-    /// A state with what is held.
+    /// Arguments of a state with its discrete state.
     pub(crate) fn of_state(t: S, held: &'a Held<S, NQ, L, H, R>, x: &'a [S]) -> Self {
         Frame { held: Some(held), x, ..Frame::at(t) }
     }
@@ -131,7 +131,7 @@ impl<
         self.evaluate(code, frame, outputs, |_, _| {}).unwrap_or(S::ZERO)
     }
 
-    /// Evaluates a function of what is to be remembered.
+    /// Evaluates a function of continuation data.
     pub(crate) fn remembered(&self, code: &'static Code, frame: &Frame<S, NQ, L, H, R>) -> (Memory<S, L>, S) {
         let mut memory = Memory::new(self.model.counts);
         let returned = self.evaluate(code, frame, [], |place, value| {
@@ -271,7 +271,7 @@ impl<
         }
     }
 
-    /// The same mechanism in other numbers.
+    /// The mechanism with numbers of another type.
     pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L, H, R, P> {
         Dynamic {
             model: self.model,
@@ -280,7 +280,7 @@ impl<
         }
     }
 
-    /// What is held, in other numbers.
+    /// The discrete state with numbers of another type.
     pub(crate) fn map_held<T: Scalar>(
         held: &Held<S, NQ, L, H, R>,
         number: &impl Fn(S) -> T,
@@ -325,7 +325,7 @@ impl<
         self.model.lowered.form == Form::Loops
     }
 
-    /// The function of guards, then kinks, in the coordinates that are held.
+    /// The function of guards, then kinks, in the present coordinates.
     pub(crate) fn guards_of_state(&self, held: &Held<S, NQ, L, H, R>) -> Option<&'static Code> {
         match held.of_loops {
             OfLoops::InChart { chart, .. } if !self.is_absolute() => {

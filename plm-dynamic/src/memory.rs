@@ -1,4 +1,4 @@
-//! What is remembered of loops, of as many numbers as a mechanism has.
+//! Continuation data of loops, of as many numbers as a mechanism has.
 
 use plm_compiler::lowered::Loops;
 use plm_runtime::charts::{Angle, Continuation, ContinuationData, Iterated, Reach};
@@ -38,7 +38,7 @@ impl Counts {
     }
 }
 
-/// By what there is: room is not looked at.
+/// Compares the numbers in use; unused room is ignored.
 impl<S: Scalar, const N: usize> PartialEq for Memory<S, N> {
     fn eq(&self, other: &Self) -> bool {
         self.counts == other.counts
@@ -56,7 +56,7 @@ impl<S: Scalar, const N: usize> Memory<S, N> {
         Self { numbers: ContinuationData::nothing(), counts }
     }
 
-    /// The same in other numbers.
+    /// The data with numbers of another type.
     pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Memory<T, N> {
         let mut mapped = Memory::new(self.counts);
         for k in 0..self.len() {
@@ -73,7 +73,7 @@ impl<S: Scalar, const N: usize> Memory<S, N> {
         2 * (coordinates + 1) + 3 * angles + determinants + 3 * iterated
     }
 
-    /// Where a number is stored.
+    /// Location of a number by its index.
     fn spot(&self, index: usize) -> Spot {
         let Counts { coordinates, angles, determinants, .. } = self.counts;
         let boxes = 2 * (coordinates + 1);
@@ -107,7 +107,7 @@ impl<S: Scalar, const N: usize> Memory<S, N> {
         number.unwrap_or(S::ZERO)
     }
 
-    /// The same, to be written.
+    /// A number by its index, to be written.
     pub(crate) fn number_mut(&mut self, index: usize) -> Option<&mut S> {
         let (spot, count) = (self.spot(index), self.counts.coordinates);
         let numbers = &mut self.numbers;
@@ -129,10 +129,10 @@ impl<S: Scalar, const N: usize> Memory<S, N> {
     }
 }
 
-/// Where a number is stored.
+/// Location of a number.
 #[derive(Clone, Copy)]
 enum Spot {
-    /// The box of a coordinate, or of the time after the last one: value or reach.
+    /// The interval about a coordinate, or about the time after the last one: value or reach.
     Box(usize, usize),
     /// An angle, its cosine or its sine.
     Angle(usize, usize),

@@ -44,7 +44,7 @@ pub(crate) struct Model {
     pub(crate) parameters: &'static [(&'static str, &'static str)],
     /// By count, places of its angles in the pose of all bodies.
     pub(crate) turns_in_pose: &'static [&'static [usize]],
-    /// The same in the state; not of loops.
+    /// By count, places of its angles in the state; empty for loops.
     pub(crate) turns_in_state: &'static [&'static [usize]],
 }
 

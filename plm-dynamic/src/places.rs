@@ -57,7 +57,7 @@ pub(crate) enum Array {
     Step,
 }
 
-/// Where an argument comes from.
+/// Source of an argument.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Argument {
     /// The time.
@@ -68,11 +68,11 @@ pub(crate) enum Argument {
     Input(usize),
     /// The side of a condition.
     Switch(usize),
-    /// The turns of a count.
+    /// The revolutions of a count.
     Turns(usize),
     /// A number of the scalar.
     Scalar(OfScalar),
-    /// A number that is remembered of loops.
+    /// A number of the continuation data of loops.
     Remembered(usize),
     /// An element of an array.
     Element(Array, usize),
@@ -84,12 +84,12 @@ pub(crate) enum Argument {
     None,
 }
 
-/// Where a result goes that is no element of an output.
+/// Destination of a result that is no element of an output.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Place {
     /// To an entry of a matrix over the state.
     Entry(usize, usize),
-    /// To a number that is remembered of loops.
+    /// To a number of the continuation data of loops.
     Remembered(usize),
     /// To a number of the rows of contact.
     Rows(OfRows),

@@ -29,7 +29,7 @@ pub enum Reason {
     End,
 }
 
-/// What follows a run on its way.
+/// Observer of a run in progress.
 pub trait Watch {
     /// A sample.
     fn sample(&mut self, sample: &Sample, reason: Reason);
@@ -95,7 +95,7 @@ struct Samples<'a, 'b> {
 }
 
 impl Samples<'_, '_> {
-    /// Hands a moment out. What is seen for several reasons is one sample.
+    /// Hands a moment out. A moment with several reasons is one sample.
     fn take<M: Described<S = f64>>(&mut self, state: &M::State, reason: Reason) {
         let sample = Sample::of::<M>(state);
         if self.last.as_ref().is_some_and(|last| last.is(&sample)) {
@@ -142,7 +142,8 @@ pub(crate) fn record<M: Described<S = f64>, I: Method<M>>(
     })
 }
 
-/// The same with inputs that `drive` changes where it is asked, which gives the time of the next change, s; and with a sample where it ends.
+/// As [`record`], with inputs that `drive` changes when it is called and returns the time of its next call, s; and with a sample at the
+/// end.
 pub(crate) fn record_driven<M: Described<S = f64>, I: Method<M>>(
     sim: &mut Sim<M, I>,
     (until, every): (f64, f64),

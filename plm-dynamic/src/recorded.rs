@@ -56,7 +56,7 @@ impl Record {
     }
 }
 
-/// What `work` computes, and the record of it. Nothing of the thread is being recorded when it begins.
+/// Result of `work`, with the record of its operations. Nothing of the thread may be recorded already.
 pub(crate) fn record<T>(work: impl FnOnce() -> T) -> (T, Record) {
     RECORD.with_borrow_mut(|record| *record = Record::default());
     let value = work();

@@ -267,8 +267,8 @@ impl Run {
         Ok(self.then(StepTo(time))?)
     }
 
-    /// Runs to a time, s, and shows a sample every so often, s: the first one at once, further ones before and after what switches, as
-    /// the recorder of compiled programs has them. A run that is told to break ends before its time.
+    /// Runs to a time, s, and shows a sample every so often, s: the first one at once, further ones before and after events, as the
+    /// recorder of compiled programs. A run whose observer breaks ends before its time.
     ///
     /// # Errors
     /// [`Error::Fault`]; the last sample is where the run ended.
@@ -290,7 +290,7 @@ impl Run {
         Ok(self.then(Record { times: (until, every), shows_end: true, watch })?)
     }
 
-    /// What the user should know although the run goes on.
+    /// Notices to the user that do not end the run.
     pub fn notices(&mut self) -> Vec<Notice> {
         self.sim.then(Noticed)
     }
@@ -307,7 +307,7 @@ impl Run {
         output
     }
 
-    /// What was done so far.
+    /// Counters of the run so far.
     pub fn stats(&self) -> Stats {
         self.stats
     }

@@ -37,12 +37,12 @@ pub(crate) enum Models {
     Large(&'static Model),
 }
 
-/// What a discrete state needs room for: it is copied in each step.
+/// Contents for which a discrete state needs room: it is copied in each step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Contents {
     /// Few inputs and conditions, small loops and no contact: [`PlainTiny`] or [`PlainSmall`] is enough.
     Plain,
-    /// The same with more first-order states than [`PlainTiny`] has room for: [`PlainTinyStates`] is enough.
+    /// As `Plain`, with more first-order states than [`PlainTiny`] has room for: [`PlainTinyStates`] is enough.
     PlainStates,
     /// More.
     Full,
@@ -151,7 +151,7 @@ impl Models {
         self.smallest().translate_by(translator);
     }
 
-    /// What is to be told of a start that closes only far from where it is declared.
+    /// Warning about a start that closes only far from where it is declared.
     pub(crate) fn far(self, given: &Given) -> Option<String> {
         match self {
             Self::Tiny([_, model], _) | Self::Small(model, _) => {

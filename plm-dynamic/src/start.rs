@@ -1,4 +1,4 @@
-//! What a mechanism from text tells of itself before it runs, and where its runs begin.
+//! Properties of a mechanism from text before it runs, and the start of its runs.
 
 use plm_runtime::described::Tables;
 
@@ -16,7 +16,7 @@ impl Mechanism {
         self.models.smallest().description.declaration
     }
 
-    /// Name and SI unit of each number that can be read of a run: of declared outputs and of what is observed.
+    /// Name and SI unit of each number that can be read of a run: of declared outputs and of observed quantities.
     pub fn observables(&self) -> &'static [(&'static str, &'static str)] {
         self.models.smallest().description.observed
     }

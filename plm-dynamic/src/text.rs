@@ -28,7 +28,7 @@ pub enum Refused {
     Bug(String),
     /// It is larger than there is room for: what there is too much of, how much, and the most.
     TooLarge {
-        /// What there is too much of.
+        /// Kind of the elements that are too many.
         what: &'static str,
         /// How much.
         found: usize,

@@ -1,7 +1,7 @@
 //! Foreign function interface: objects behind pointers, for C.
 //!
-//! Every function looks at what it is given: pointers that are null or not aligned, memory that is no object of this
-//! mechanism, kinds and numbers that do not exist, and values that are no numbers give a [`Status`], and nothing is done.
+//! Every function checks its arguments: pointers that are null or not aligned, memory that is no object of this mechanism, kinds and
+//! numbers that do not exist, and values that are not finite give a [`Status`], and nothing is done.
 //! No function can check that a pointer is at memory of the caller, or that no other thread uses it: the caller guarantees both,
 //! which is the reason why the functions are unsafe.
 
@@ -25,7 +25,7 @@ use crate::{By, Error, Foreign, Kind, ObjectBy, Run, Status, Text};
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct BlockBy<M, R> {
-    /// Tells objects of this mechanism from other memory.
+    /// Identifies objects of this mechanism in other memory.
     mark: u64,
     object: ObjectBy<M, R>,
     text: Text,
@@ -49,7 +49,7 @@ impl<M: Foreign, R: Run<M>> BlockBy<M, R> {
 /// Makes an object of a mechanism that is not started, in `size` bytes at `memory`.
 ///
 /// # Safety
-/// `memory` is null, or at `size` bytes that belong to the caller and that nobody else uses.
+/// `memory` is null, or at `size` bytes of the caller that no other thread uses.
 pub unsafe fn init<M: Foreign, R: Run<M>>(memory: *mut BlockBy<M, R>, size: usize, mechanism: M) -> i32 {
     if memory.is_null() {
         return Status::Null as i32;
@@ -66,7 +66,7 @@ pub unsafe fn init<M: Foreign, R: Run<M>>(memory: *mut BlockBy<M, R>, size: usiz
 /// Lets `work` at an object.
 ///
 /// # Safety
-/// `block` is null, or at memory of the caller as large as an object, that nobody else uses meanwhile.
+/// `block` is null, or at memory of the caller as large as an object, that no other thread uses meanwhile.
 unsafe fn with<M: Foreign, R: Run<M>>(
     block: *mut BlockBy<M, R>,
     work: impl FnOnce(&mut ObjectBy<M, R>) -> Result<(), Error>,
@@ -122,7 +122,7 @@ pub unsafe fn start_at<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, time: M
 /// [`ObjectBy::step`]
 ///
 /// # Safety
-/// `block` is null, or at memory of the caller as large as an object, that nobody else uses meanwhile.
+/// `block` is null, or at memory of the caller as large as an object, that no other thread uses meanwhile.
 pub unsafe fn step<M: Foreign, R: Run<M>>(block: *mut BlockBy<M, R>, dt: M::S) -> i32 {
     // SAFETY: the caller's part.
     unsafe { with(block, |object| object.step(dt)) }
@@ -278,7 +278,7 @@ pub unsafe fn restore<M: Foreign, R: Run<M>>(
     unsafe { with(block, work) }
 }
 
-/// The words of the last error, with a zero at their end; they stay until the next call. Without an object the empty text.
+/// The text of the last error, with a zero at its end; it is valid until the next call. Without an object the empty text.
 ///
 /// # Safety
 /// As of [`step`].

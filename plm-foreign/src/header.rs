@@ -13,7 +13,7 @@ const FUNCTIONS: &str = include_str!("header.h.txt");
 /// One of a step by itself.
 const STEP: &str = include_str!("header_step.h.txt");
 
-/// Words above the names of rows of contact.
+/// Comment above the names of rows of contact.
 const ROWS: &str = "\
 /* Rows of contact. What one does is its number of the kind PLM_CONTACT: a gap is PLM_OPEN or PLM_CLOSED; a friction is PLM_OFF as long as
    nothing pushes, PLM_STICKS, or slips PLM_FORWARDS or PLM_BACKWARDS. */
@@ -208,12 +208,12 @@ fn list<M: Foreign>(
     writeln!(to, "}};")
 }
 
-/// Between the words of a list.
+/// Separator between the elements of a list.
 fn comma(goes_on: bool) -> &'static str {
     if goes_on { "," } else { "" }
 }
 
-/// Words that do not end the comment that they stand in.
+/// Text that does not end the comment that it stands in.
 struct Comment<'a>(&'a str);
 
 impl fmt::Display for Comment<'_> {

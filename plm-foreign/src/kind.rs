@@ -10,7 +10,7 @@ use crate::{Error, Foreign, Status};
 pub enum Kind {
     /// A parameter, SI; can be set at any time.
     Parameter = 0,
-    /// An input, SI; can be set once the mechanism has started, and is held until it is set again.
+    /// An input, SI; can be set once the mechanism has started, and is constant until it is set again.
     Input = 1,
     /// A first-order state, SI; can be read.
     State = 2,

@@ -1,11 +1,10 @@
 //! Mechanisms for other languages: objects in memory of the caller, numbers by kind and index, errors as codes with a text.
 //!
-//! [`Object`] is a mechanism with a run of it, and is safe; [`ffi`] has the same behind pointers. Text of a source file
-//! ([`source`]) gives the functions the names of a mechanism, and [`header()`] tells C of them. All of it is made of
-//! `Described::TABLES`, nothing by hand for each mechanism. `plm::view::library` builds a
-//! library of any mechanism.
+//! [`Object`] is a mechanism with a run of it, and is safe; [`ffi`] has its functions behind pointers. Text of a source file ([`source`])
+//! gives the functions the names of a mechanism, and [`header()`] declares them for C. All of it is made of `Described::TABLES`, nothing by
+//! hand for each mechanism. `plm::view::library` builds a library of any mechanism.
 //!
-//! This crate has unsafe code: what it dereferences it looks at first, as far as a pointer can be looked at.
+//! This crate has unsafe code: it checks every pointer before it reads from it, as far as a pointer can be checked.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![no_std]
 

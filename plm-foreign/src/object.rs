@@ -15,7 +15,7 @@ pub struct ObjectBy<M, R> {
     mechanism: M,
     run: Option<R>,
     choice: Choice,
-    /// A parameter was set since the run has looked at them.
+    /// A parameter was set since the last check of the run.
     is_changed: bool,
 }
 
@@ -74,7 +74,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
             } else {
                 let mut looked_at = *run;
                 if self.is_changed {
-                    // A new run takes the parameters that it finds for those that were looked at.
+                    // A new run takes its parameters for checked ones.
                     looked_at.step_to(looked_at.state().time())?;
                 }
                 *run = R::new(*looked_at.state(), &choice).ok_or(Status::Choice)?;
@@ -138,8 +138,8 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
         Ok(())
     }
 
-    /// Makes a step by itself, which the declaration orders (`emit: step(...)`): `state.step_rk4(h)`. Parameters that were set
-    /// since the last step are looked at before it.
+    /// Makes a step by itself, which the declaration orders (`emit: step(...)`): `state.step_rk4(h)`. Parameters that were set since the
+    /// last step are checked before it.
     ///
     /// # Errors
     /// As the step; the run is then as it was before the call.
@@ -197,7 +197,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
         found.ok_or(Status::NoSuch.into())
     }
 
-    /// Sets a number, SI. A parameter is looked at when the run goes on, or starts.
+    /// Sets a number, SI. A parameter is checked when the run goes on, or starts.
     ///
     /// # Errors
     /// [`Status::NotFinite`]; [`Status::ReadOnly`] of states and outputs; [`Status::NoSuch`]; [`Status::NotStarted`] of inputs.

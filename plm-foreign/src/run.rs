@@ -85,7 +85,7 @@ pub struct Called {
     pub c: &'static str,
     /// Its type, for numbers `REAL` of a mechanism `OWN`.
     pub(crate) kind: &'static str,
-    /// Description in words.
+    /// Description of the method.
     pub(crate) words: &'static str,
 }
 

@@ -1,8 +1,8 @@
 //! Saved runs: bytes for files and for other processes.
 //!
-//! Words of 64 bits, little end first: `plm run` and a zero; the version of the format; a number of the declaration and of the kind of its numbers; how many
-//! words follow; these, as [`InWords`] shows them; and a sum of all bytes before it (FNV-1a, which no change of a single byte
-//! leaves as it was).
+//! 64-bit words, little end first: `plm run` and a zero; the version of the format; a number of the declaration and of the kind of its
+//! numbers; how many words follow; these, as [`InWords`] shows them; and a sum of all bytes before it (FNV-1a, which every change of a
+//! single byte changes).
 
 use plm_runtime::words::{InWords, Words};
 
@@ -104,7 +104,7 @@ impl Words for Writer<'_> {
 
 struct Reader<'a> {
     rest: &'a [u8],
-    /// Words that were asked for after the end.
+    /// Words that were read beyond the end.
     missing: usize,
 }
 

@@ -27,7 +27,7 @@ impl<'a> Names<'a> {
 }
 
 impl Names<'_> {
-    /// The letters, in capitals: `_` before each word but the first, none at the end of `bar[0]`.
+    /// The letters, in capitals: `_` before each part of the name but the first, none at the end of `bar[0]`.
     fn letters(&self) -> impl Iterator<Item = char> {
         let mut before = '_';
         let words = self.name.trim_matches(|letter: char| !letter.is_ascii_alphanumeric());
@@ -107,7 +107,7 @@ impl Entry<'_> {
     pub(crate) fn room<M: Foreign>(&self) -> (usize, usize) {
         let sizes = self.methods.iter().map(|by| by.room::<M>());
         let (size, align) = sizes.fold((0, 1), |all, (size, align)| (size.max(all.0), align.max(all.1)));
-        // Where there are several methods, the one that is there is told by a word for each at most.
+        // With several methods, the tag of the present one takes an aligned unit for each at most.
         let told = if self.methods.len() > 1 { self.methods.len() * align } else { 0 };
         (size + told, align)
     }
@@ -151,7 +151,7 @@ impl fmt::Display for Runs<'_> {
     }
 }
 
-/// A word of a text, and what stands in its place.
+/// A placeholder in a text, and its replacement.
 pub(crate) type Word<'a> = (&'static str, &'a dyn fmt::Display);
 
 /// Writes a text with the names of a mechanism for `NAME`, `PREFIX`.
@@ -160,7 +160,7 @@ pub(crate) fn fill(text: &str, name: &str, to: &mut impl fmt::Write) -> fmt::Res
     replace(text, &[("PREFIX", &Names::lower(name)), ("NAME", &name)], to)
 }
 
-/// Writes a text with other words in the places of some.
+/// Writes a text with placeholders replaced.
 pub(crate) fn replace(mut text: &str, words: &[Word<'_>], to: &mut impl fmt::Write) -> fmt::Result {
     loop {
         let places = words.iter().filter_map(|(word, other)| Some((text.find(word)?, word.len(), other)));

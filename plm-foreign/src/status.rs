@@ -35,7 +35,7 @@ pub enum Status {
     Pose = 11,
     /// A requirement of the declaration does not hold any more.
     Required = 12,
-    /// Conditions switch without end, or what is prescribed jumps.
+    /// Conditions switch without end, or a prescribed value jumps.
     Switching = 13,
     /// The accuracy was not reached.
     Accuracy = 14,

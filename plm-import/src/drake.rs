@@ -8,10 +8,10 @@ use crate::xml::Element;
 /// A frame: its link (none is the world) and its pose in the world.
 pub(crate) type Frame = (Option<usize>, Pose);
 
-/// Gives the frame of a name; tells where there is none.
+/// Gives the frame of a name; reports a name that has none.
 pub(crate) type FrameOf<'a> = &'a dyn Fn(&Element, &str, &mut Notices) -> Result<Frame, Told>;
 
-/// Reads an element of a model that ties two frames; false of all others. What is wrong with it is told.
+/// Reads an element of a model that ties two frames; false for all others. Mistakes in it are reported.
 pub(crate) fn tie(
     element: &Element,
     frame_of: FrameOf<'_>,
@@ -32,7 +32,7 @@ pub(crate) fn tie(
     true
 }
 
-/// A child whose tag begins like that of its parent; it is told where there is none.
+/// A child whose tag begins like that of its parent; a missing one is reported.
 fn part<'a>(
     element: &'a Element,
     prefix: &str,
@@ -75,7 +75,7 @@ fn name(element: &Element, kind: &str, count: usize) -> String {
     element.get("name").map_or_else(|| format!("{kind}_{count}"), str::to_owned)
 }
 
-/// A point of one body is held at a point of another one.
+/// A point of one body coincides with a point of another one.
 fn ball(
     element: &Element,
     count: usize,
@@ -148,8 +148,8 @@ pub(crate) fn rotor(element: &Element, notices: &mut Notices) -> f64 {
     inertia.unwrap_or_default() * gear.unwrap_or(1.0).powi(2)
 }
 
-/// Tells of an element that is not taken. One that speaks of two links, or of a joint, may hold them to each other: the motion would be
-/// another one without it. `is_link` and `is_joint` know the names of the file.
+/// Reports an element that is not taken. One that names two links, or a joint, may constrain them: the motion would be another one without
+/// it. `is_link` and `is_joint` know the names of the file.
 pub(crate) fn left_out(
     element: &Element,
     is_link: &dyn Fn(&str) -> bool,

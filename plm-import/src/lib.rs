@@ -4,7 +4,7 @@
 //! planar, and [`mechanism`] writes the declaration that has the same motion. Each element of the file that could not be taken is a
 //! [`Notice`] with its place: a warning where it is left out, an error where the motion would be another one without it.
 //! [`to_mjcf`] and [`to_urdf`] write a compiled mechanism as a file for other programs.
-//! [`outline`] turns a DXF drawing into the contour of a body.
+//! [`outline`] converts a DXF drawing to the contour of a body.
 
 mod drake;
 mod dxf;
@@ -35,7 +35,7 @@ use self::notice::Notices;
 use self::planar::Planar;
 use self::spatial::{Joint, Spatial};
 
-/// What of a file is left out, and what is held, on request.
+/// Parts of a file that are left out, and links that are fixed, on request.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// Joints get no limits.
@@ -122,7 +122,7 @@ fn fix(spatial: &mut Spatial, name: &str, notices: &mut Notices) {
     spatial.joints.push(Joint::fixed(&format!("{own}_held"), &place, [None, Some(number)], at));
 }
 
-/// Leaves out and holds what is asked for, and moves starts that lie outside of their limits to them.
+/// Leaves out and fixes parts as the options say, and moves starts that lie outside of their limits to them.
 fn prepare(spatial: &mut Spatial, options: &Options, notices: &mut Notices) {
     for name in &options.fixed {
         fix(spatial, name, notices);

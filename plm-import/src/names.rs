@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use plm_compiler::words;
 
-/// Words of Rust that no raw identifier can be.
+/// Keywords of Rust that no raw identifier can be.
 const OF_RUST: [&str; 5] = ["self", "Self", "super", "crate", "_"];
 
 /// Names of shapes and choices of the library, which would be read as those.

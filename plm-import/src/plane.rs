@@ -18,7 +18,7 @@ pub(crate) struct Plane {
 impl Plane {
     /// The plane in which a mechanism moves.
     ///
-    /// Where axes of the world lie in it, its axes are these. Else gravity pulls along −y.
+    /// If two axes of the world lie in it, these are its axes. Else gravity acts along −y.
     pub(crate) fn of(spatial: &Spatial, notices: &mut Notices) -> Option<Plane> {
         let normal = normal(spatial, notices)?;
         let is_across = |axis: &Vector| dot(*axis, normal).abs() < PARALLEL;

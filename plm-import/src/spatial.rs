@@ -45,7 +45,7 @@ pub(crate) struct Link {
     pub(crate) shapes: Vec<Shape>,
     /// Named frames, in the axes of the link.
     pub(crate) points: Vec<(String, Pose)>,
-    /// Whether it could touch others: contacts are left out.
+    /// True if it could touch others: contacts are left out.
     pub(crate) touches: bool,
 }
 
@@ -89,7 +89,7 @@ pub(crate) enum Kind {
     Fixed,
     /// Two points coincide, and nothing else: closes a loop.
     Point,
-    /// Nothing is held.
+    /// Nothing is constrained.
     Free,
 }
 
@@ -103,7 +103,7 @@ pub(crate) struct Joint {
     pub(crate) child: Option<usize>,
     /// A point of the axis, in the world.
     pub(crate) at: Vector,
-    /// The same point of the child, where the pose does not close the joint.
+    /// The point of the child that coincides with `at`, if the pose does not close the joint.
     pub(crate) at_child: Vector,
     /// Unit vector, in the world.
     pub(crate) axis: Vector,

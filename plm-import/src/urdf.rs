@@ -80,7 +80,7 @@ fn frames(spatial: &Spatial) -> BTreeMap<String, Frame> {
     frames
 }
 
-/// What Gazebo adds: an error where it holds or moves something, of which its joints close loops.
+/// Reports an element of Gazebo: an error if it constrains or moves something; its joints close loops.
 fn gazebo(element: &Element, notices: &mut Notices) {
     let acts = |child: &&Element| {
         let is_on = matches!(child.text.as_str(), "true" | "1");

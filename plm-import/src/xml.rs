@@ -34,7 +34,7 @@ pub(crate) struct Element {
 /// # Errors
 /// The text is no XML, or is nested too deeply: place and message.
 pub(crate) fn parse(file: &Rc<str>, text: &str) -> Result<Element, (Place, String)> {
-    // Prefixes that nobody declares are usual (`drake:`); roxmltree refuses them, so that they become part of the name.
+    // Prefixes without a declaration are usual (`drake:`); roxmltree refuses them, so that they become part of the name.
     let plain = plainer(text);
     let document = roxmltree::Document::parse(&plain).map_err(|why| {
         let at = why.pos();

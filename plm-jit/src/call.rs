@@ -26,7 +26,7 @@ pub(crate) struct Lengths {
 }
 
 impl Lengths {
-    /// What a function reads and writes.
+    /// Lengths of the lists that a function reads and writes.
     pub(crate) fn of(function: &Function<'_>) -> Lengths {
         let mut lengths = Lengths { others: function.others.len(), ..Lengths::default() };
         for input in function.arguments {
@@ -167,7 +167,7 @@ unsafe extern "C" fn sines_8(a: f64, b: f64, c: f64, d: f64, e: f64, f: f64, g: 
     unsafe { store([a, b, c, d, e, f, g, h], to) }
 }
 
-/// Where the function that finds sines of so many angles stands: 1, 2, 4, else 8.
+/// Address of the function that computes the sines of so many angles: 1, 2, 4, else 8.
 pub(crate) fn sines(count: usize) -> *const () {
     match count {
         1 => sines_1 as *const (),

@@ -40,7 +40,7 @@ extern "C" fn floor(x: f64) -> f64 {
 }
 
 impl Function {
-    /// Where it stands in memory.
+    /// Its address in memory.
     pub(crate) fn address(self) -> usize {
         let address = match self {
             Self::Asin => asin as *const (),

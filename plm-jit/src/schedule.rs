@@ -10,7 +10,7 @@ pub(crate) type Value = usize;
 pub(crate) struct Schedule {
     /// The operations, by number of the step; operands are values.
     operations: Vec<Operation>,
-    /// What is done, in order.
+    /// Items in the order of execution.
     pub(crate) items: Vec<Item>,
     /// The value that a register has at the end.
     last: Vec<Value>,

@@ -19,7 +19,7 @@ use crate::schedule::{Item, Schedule, Value, cosine, value};
 /// Bytes of a number.
 const SIZE: usize = 8;
 
-/// Where a value is.
+/// Location of a value.
 #[derive(Clone, Copy)]
 enum Found {
     /// Not computed.
@@ -350,7 +350,7 @@ impl Translation<'_> {
     }
 }
 
-/// Flags of lists that nobody writes while the function runs.
+/// Flags of lists that are constant while the function runs.
 fn unchanging() -> MemFlags {
     MemFlags::trusted().with_readonly().with_can_move()
 }

@@ -1,8 +1,8 @@
-//! Base inertia parameters: the combinations of masses, centres of gravity and moments of inertia that forces of a motion can tell (M.
+//! Base inertia parameters: the combinations of masses, centres of gravity and moments of inertia that forces of a motion determine (M.
 //! Gautier, Numerical calculation of the base inertial parameters of robots, Journal of Robotic Systems 8, 1991).
 //!
 //! Inverse dynamics is linear in mass, first moments and moment of inertia of each body. The rank of this linear function over many states
-//! tells how many combinations there are, and elimination which they are.
+//! is the number of combinations, and elimination finds them.
 
 use std::fmt;
 
@@ -15,12 +15,12 @@ use crate::node::own_numbers;
 /// Inertia parameters of a body, in the order of the columns.
 const PARAMETERS: [&str; 4] = ["mass", "moment.x", "moment.y", "inertia"];
 
-/// Combinations of inertia parameters that forces of a motion tell.
+/// Combinations of inertia parameters that forces of a motion determine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BaseParameters {
     /// The combinations: names of parameters and their factors, the first of which is 1.
     pub combinations: Vec<Vec<(String, f64)>>,
-    /// Parameters that no force tells.
+    /// Parameters that change no force.
     pub without_effect: Vec<String>,
 }
 
@@ -64,7 +64,7 @@ pub fn base_parameters<M: Optimisable>(mechanism: &M, gravity: [f64; 2]) -> Resu
     for _ in 0..STATES {
         let Some(state) = beside(mechanism, (&held, &x), &mut random) else { continue };
         let block = forces(mechanism, (&held, &state), gravity, &mut random);
-        // Beyond the range of numbers a state tells nothing, and decompositions do not end.
+        // Beyond the range of numbers a state has no information, and decompositions do not end.
         if !block.iter().all(|force| force.is_finite()) {
             continue;
         }
@@ -189,7 +189,7 @@ fn freedoms(rows: &DMatrix<f64>) -> DMatrix<f64> {
     if free.is_empty() { DMatrix::zeros(size, 0) } else { DMatrix::from_columns(&free) }
 }
 
-/// The combinations that rows tell: columns that depend on those before them add to their combinations.
+/// The combinations that rows determine: columns that depend on those before them add to their combinations.
 fn reduced(rows: &DMatrix<f64>, names: &[String]) -> BaseParameters {
     let largest = rows.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
     // The squares of norms stay in the range of numbers.

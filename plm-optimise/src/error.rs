@@ -12,7 +12,7 @@ use crate::identify::Loss;
 pub enum Error {
     /// The mechanism has nothing of this name.
     Unknown {
-        /// What was looked for: `parameter`, `start value`, `input`, `output`.
+        /// Kind of the name: `parameter`, `start value`, `input`, `output`.
         what: &'static str,
         /// The name.
         name: String,
@@ -41,7 +41,7 @@ pub enum Error {
     Readings {
         /// The experiment, from 0.
         experiment: usize,
-        /// What is wrong with it.
+        /// Description of the problem.
         problem: String,
     },
     /// Nothing is to be found, or nothing was measured.
@@ -64,10 +64,10 @@ pub enum Error {
     NotConverged {
         /// Why.
         why: NotConverged,
-        /// Where it has ended: names and values, SI.
+        /// The point at which it has ended: names and values, SI.
         best: Vec<(String, f64)>,
         /// Of an optimal control the inputs where it has ended: of each its value in each interval, SI. A plan for the next moment may do
-        /// with it, if what is violated is small.
+        /// with it, if the violation is small.
         plan: Vec<Vec<f64>>,
         /// Root mean square of the weighted residuals there.
         rms: f64,
@@ -92,7 +92,7 @@ pub enum NotConverged {
     NoDescent,
     /// Every further step has ended with a fault.
     Faults(Box<Fault>),
-    /// What is demanded is violated by this much, and no step makes it less.
+    /// Constraints are violated by this much, and no step makes the violation smaller.
     Demands {
         /// The largest violation: of outputs in SI, of continuity in typical sizes of states.
         violation: f64,

@@ -19,7 +19,7 @@ use self::bounded::{Model, Side, Step};
 pub(crate) struct Evaluation {
     pub(crate) residuals: DVector<f64>,
     pub(crate) jacobian: DMatrix<f64>,
-    /// What must vanish.
+    /// Values of equality constraints.
     pub(crate) constraints: DVector<f64>,
     pub(crate) constraints_by: DMatrix<f64>,
 }
@@ -67,7 +67,7 @@ pub(crate) enum End {
     Faults(Fault),
 }
 
-/// What is left where no step makes the residuals smaller.
+/// Model and noise of the last point, from which no step makes the residuals smaller.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Left {
     /// By how much a step without damping would make half the sum of squares smaller, were the residuals linear.
@@ -76,7 +76,7 @@ pub(crate) struct Left {
     pub(crate) noise: f64,
 }
 
-/// Where the search has ended.
+/// Result of the search.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     pub(crate) z: DVector<f64>,

@@ -23,7 +23,7 @@ pub(crate) enum Direction {
     Duration,
 }
 
-/// Where a run begins.
+/// Start of a run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Begin<M: Rate> {
     /// At the assembled start.
@@ -39,7 +39,7 @@ pub(crate) struct Shot<'a, M: Rate> {
     /// Time at which it begins, s.
     pub(crate) time: f64,
     pub(crate) schedule: Schedule<'a>,
-    /// What is seen at each sample, by number among [`Described::observables`].
+    /// Outputs that are read at each sample, by number among [`Described::observables`].
     pub(crate) outputs: &'a [usize],
     /// The duration, s, of which all times are fractions in the direction [`Direction::Duration`].
     pub(crate) duration: f64,
@@ -100,7 +100,7 @@ fn value(signals: &[Signal], signal: usize, piece: usize) -> f64 {
     signals.get(signal).and_then(|signal| signal.values.get(piece)).copied().unwrap_or(f64::NAN)
 }
 
-/// The names of the coordinates that a state is counted in: they tell charts apart.
+/// The names of the coordinates of a state: they differ between charts.
 pub(crate) fn chart<M: Rate + plm_runtime::Labels>(mechanism: &M, held: &M::U) -> Vec<&'static str> {
     (0..M::NQ).map(|place| mechanism.name_in_chart(held, place)).collect()
 }

@@ -6,7 +6,7 @@ use crate::error::{Error, place};
 use crate::mechanism::Optimisable;
 use crate::shot::Direction;
 
-/// A number of a mechanism that is to be found, with what is known of it; in SI.
+/// A number of a mechanism that is to be found, with guess, bounds and prior; in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unknown {
     pub(crate) name: String,
@@ -53,13 +53,13 @@ impl Unknown {
         Self { bounds: [least, most], ..self }
     }
 
-    /// Adds what is known beforehand: a value and its standard deviation.
+    /// Adds prior knowledge: a value and its standard deviation.
     #[must_use]
     pub fn expected(self, value: f64, deviation: f64) -> Self {
         Self { prior: Some([value, deviation]), ..self }
     }
 
-    /// Sets the typical size of the value, for what is near zero; without it the guess, the bounds or the expected deviation tell it.
+    /// Sets the typical size of the value, for values near zero; without it the guess, the bounds or the expected deviation determine it.
     #[must_use]
     pub fn of_size(self, size: f64) -> Self {
         Self { scale: Some(size), ..self }

@@ -1,4 +1,4 @@
-//! The words after a program's name: what a table of options knows is taken, everything else is a mistake.
+//! Command-line arguments of a program: a table lists its options, everything else is a mistake.
 
 use std::ffi::OsString;
 use std::str::FromStr;
@@ -14,14 +14,14 @@ pub struct Known {
     help: &'static str,
 }
 
-/// What stands after the name of an option.
+/// Value of an option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Value {
     Nothing,
     Needed(&'static str),
     /// After `=` alone.
     Possible(&'static str),
-    /// It has no name: a word by itself.
+    /// A positional argument: it has no dashes.
     Alone(&'static str),
 }
 
@@ -41,7 +41,7 @@ impl Known {
         Self { name, value: Value::Possible(value), help }
     }
 
-    /// A word by itself, which is asked for by this name.
+    /// A positional argument; its value is read by this name.
     pub const fn word(name: &'static str, help: &'static str) -> Self {
         Self { name, value: Value::Alone(name), help }
     }
@@ -66,7 +66,7 @@ impl Known {
 /// Every program knows it.
 const HELP: Known = Known::flag("help", "these lines");
 
-/// What a command line gives of a table of options; for programs without a mechanism to be run, as `examples/stability`.
+/// Arguments of a command line by a table of options; for programs without a mechanism to be run, as `examples/stability`.
 /// [`Options`](super::Options) are the usual ones of a run, and take further ones.
 ///
 /// ```
@@ -90,7 +90,7 @@ pub struct Arguments {
     given: Vec<(&'static str, OsString)>,
 }
 
-/// A mistake that the parser of words finds.
+/// A mistake that the parser of the command line finds.
 #[allow(clippy::needless_pass_by_value, reason = "as `map_err` hands it over")]
 fn of_words(error: lexopt::Error) -> BadOption {
     BadOption::new(error.to_string())
@@ -100,12 +100,12 @@ impl Arguments {
     /// Those of this program.
     ///
     /// # Errors
-    /// A word that the table does not know, with the nearest that it does; a value that is missing, or too much.
+    /// An argument that the table does not have, with the nearest that it has; a value that is missing, or too much.
     pub fn from_args(known: &[Known]) -> Result<Self, BadOption> {
         Self::parse(known, std::env::args_os().skip(1))
     }
 
-    /// Those of a list of words.
+    /// Those of a list of arguments.
     ///
     /// # Errors
     /// As [`from_args`](Self::from_args).
@@ -135,7 +135,7 @@ impl Arguments {
         Ok(arguments)
     }
 
-    /// Whether an option is there.
+    /// True if an option is given.
     pub fn flag(&self, name: &str) -> bool {
         self.given.iter().any(|(given, _)| *given == name)
     }
@@ -148,7 +148,7 @@ impl Arguments {
     /// The value of an option as a text.
     ///
     /// # Errors
-    /// What is no text.
+    /// A value that is no text.
     pub fn text(&self, name: &str) -> Result<Option<String>, BadOption> {
         self.value(name).map(text).transpose()
     }
@@ -156,7 +156,7 @@ impl Arguments {
     /// All values of an option that may stand several times, as texts.
     ///
     /// # Errors
-    /// What is no text.
+    /// A value that is no text.
     pub fn texts(&self, name: &str) -> Result<Vec<String>, BadOption> {
         self.given.iter().filter(|(given, _)| *given == name).map(|(_, value)| text(value)).collect()
     }
@@ -164,7 +164,7 @@ impl Arguments {
     /// The value of an option as a number.
     ///
     /// # Errors
-    /// What is no number of the type that is asked for.
+    /// A value that is no number of the requested type.
     pub fn number<T: FromStr>(&self, name: &str) -> Result<Option<T>, BadOption> {
         let Some(text) = self.text(name)? else { return Ok(None) };
         let shown = self.known.iter().find(|known| known.name == name).map_or(name.to_owned(), Known::shown);
@@ -192,7 +192,7 @@ impl Arguments {
         found.copied().ok_or_else(|| self.unknown(&format!("--{name}")))
     }
 
-    /// The first word by itself that is not there yet.
+    /// Name of the first positional argument that is not given yet.
     fn place_of(&self, word: &OsString) -> Result<&'static str, BadOption> {
         let mut places = self.known.iter().filter(|known| matches!(known.value, Value::Alone(_)));
         let free = places.find(|known| !self.flag(known.name));
@@ -206,13 +206,13 @@ impl Arguments {
         BadOption::new(format!("there is no {what} `{word}`; {hint}\n{}", self.table()))
     }
 
-    /// The options, without words by themselves.
+    /// The options, without positional arguments.
     fn named(&self) -> impl Iterator<Item = &Known> {
         self.known.iter().filter(|known| !matches!(known.value, Value::Alone(_)))
     }
 }
 
-/// What stands after an option, which is no option.
+/// Value after an option, which must not be an option.
 fn value_of(known: &Known, parser: &mut Parser) -> Result<OsString, BadOption> {
     if let Some(value) = parser.optional_value() {
         return Ok(value);

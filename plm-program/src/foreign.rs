@@ -51,7 +51,7 @@ pub fn fmu<M: Exchanged>(mechanism: &M, file: &Path) -> Result<Vec<PathBuf>, Box
     fmu_of(Version::Three, mechanism, file)
 }
 
-/// The same for a version of FMI. The library in it has the functions of both, and is built once for them.
+/// As [`fmu`], for a version of FMI. The library in it has the functions of both, and is built once for them.
 ///
 /// # Errors
 /// As [`library`].

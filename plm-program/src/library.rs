@@ -50,7 +50,7 @@ pub struct Library {
 /// A mechanism of a library.
 #[derive(Clone, Debug)]
 struct Written {
-    /// What its functions begin with.
+    /// Prefix of its functions.
     name: String,
     /// Names and texts.
     headers: [(String, String); 2],
@@ -109,15 +109,15 @@ impl Library {
         Self { linkage: Linkage::Shared, ..self }
     }
 
-    /// Names of mechanisms that are added from now on begin with this word: `acme_press_step`. So two suppliers may both have a
-    /// mechanism `Press`, and one library has it with two kinds of numbers.
+    /// Names of mechanisms that are added from now on begin with this prefix: `acme_press_step`. So two suppliers may both have a mechanism
+    /// `Press`, and one library can have it with two kinds of numbers.
     #[must_use]
     pub fn prefixed(self, prefix: &str) -> Self {
         Self { prefix: Names::lower(prefix).to_string(), ..self }
     }
 
-    /// Mechanisms that are added from now on run by one of these methods, which C chooses; by the first where it does not. Each
-    /// makes the library larger, and an object is as large as its largest run. [`By::Dop853`] alone where nothing is said.
+    /// Mechanisms that are added from now on run by one of these methods, which C chooses; by the first if it does not. Each makes the
+    /// library larger, and an object is as large as its largest run. Without this call the method is [`By::Dop853`] alone.
     #[must_use]
     pub fn by(self, methods: &[By]) -> Self {
         let (mut own, mut all) = (Vec::new(), methods.to_vec());
@@ -130,8 +130,8 @@ impl Library {
         Self { methods: own, ..self }
     }
 
-    /// The same with a mechanism as declared: what was set in this one is not in it. Its numbers are those of the mechanism: of
-    /// `Press::<f32>::of()` they are `float`.
+    /// Adds a mechanism as declared, without later changes of its values. Its numbers are those of the mechanism: of `Press::<f32>::of()`
+    /// they are `float`.
     ///
     /// # Errors
     /// [`NoDefault`](super::NoDefault); a mechanism of this name is in it, or has a file of the same name.
@@ -218,7 +218,7 @@ impl Library {
     }
 }
 
-/// What a library without std begins with. Nothing in it panics.
+/// Head of a library without std. Nothing in it panics.
 const ALONE: &str = "#![no_std]\n
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {

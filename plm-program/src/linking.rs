@@ -1,4 +1,4 @@
-//! How programs of C and C++ are told of a library: for pkg-config, and for CMake.
+//! Descriptions of a library for programs of C and C++: for pkg-config, and for CMake.
 
 use plm_view::package::{Linkage, version};
 
@@ -14,7 +14,7 @@ pub(super) struct Linking<'a> {
 }
 
 impl Linking<'_> {
-    /// What a static library needs beside it (`rustc --print native-static-libs`); libraries of Windows by their names.
+    /// Further libraries that a static library needs (`rustc --print native-static-libs`); libraries of Windows by their names.
     fn needed(&self) -> &'static [&'static str] {
         match (self.linkage == Linkage::Shared || self.is_bare, std::env::consts::FAMILY) {
             (true, _) => &[],

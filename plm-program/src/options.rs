@@ -13,14 +13,14 @@ use plm_view::Recorder;
 
 use super::arguments::{Arguments, Known};
 
-/// What is asked for on the command line.
+/// Options of the command line.
 ///
 /// ```
 /// use plm::view::{Known, Options};
 ///
 /// let options = Options::parse(["--until", "5", "--set", "mass=3", "--csv=run.csv"])?;
 /// assert_eq!((options.until, options.csv.as_deref()), (Some(5.0), Some("run.csv".as_ref())));
-/// // What is one program's own stands in the same table; what it has no use for does not.
+/// // A program's own options stand in the same table; options that it has no use for do not.
 /// let table = Options::table().without(&["csv"]).with(&[Known::value("gain", "NUMBER", "of the controller")]);
 /// assert_eq!(table.parse(["--gain", "2.5"])?.own.number("gain")?, Some(2.5));
 /// assert!(table.parse(["--csv", "run.csv"]).is_err());
@@ -59,11 +59,11 @@ pub struct Options {
     pub every: Option<f64>,
     /// `--set NAME=VALUE`, as often as wanted: parameters in their declared units.
     pub set: Vec<(String, f64)>,
-    /// `--input NAME=VALUE`, as often as wanted: inputs in their declared units, held over the run.
+    /// `--input NAME=VALUE`, as often as wanted: inputs in their declared units, constant during the run.
     pub input: Vec<(String, f64)>,
     /// `--method NAME[:NUMBER]`.
     pub method: Option<Integrator>,
-    /// `--help`: what is to be printed.
+    /// `--help`: the text to be printed.
     pub help: Option<String>,
     /// All that was given, the program's own options among it.
     pub own: Arguments,
@@ -135,7 +135,7 @@ impl Table {
         self.parse(std::env::args_os().skip(1))
     }
 
-    /// Those of a list of words.
+    /// Those of a list of arguments.
     ///
     /// # Errors
     /// As [`Options::from_args`].
@@ -148,12 +148,12 @@ impl Options {
     /// Those of this program.
     ///
     /// # Errors
-    /// A word that is no option, with the nearest; a value that is missing or not what it has to be.
+    /// An argument that is no option, with the nearest one; a value that is missing or not what it has to be.
     pub fn from_args() -> Result<Self, BadOption> {
         Self::table().from_args()
     }
 
-    /// Those of a list of words.
+    /// Those of a list of arguments.
     ///
     /// # Errors
     /// As [`from_args`](Self::from_args).
@@ -166,7 +166,7 @@ impl Options {
         Table(USUAL.to_vec())
     }
 
-    /// What was given of them.
+    /// The options that the arguments give.
     fn of(given: Arguments) -> Result<Self, BadOption> {
         let path = |name| given.value(name).map(PathBuf::from);
         let options = Self {
@@ -281,7 +281,7 @@ fn find(what: &str, name: &str, quantities: &[Quantity]) -> Result<(usize, f64),
     })
 }
 
-/// Quantities of a mechanism in words.
+/// Text that lists quantities of a mechanism.
 fn known(quantities: &[Quantity]) -> String {
     let named = quantities.iter().map(|quantity| match quantity.unit {
         "" => quantity.name.to_owned(),

@@ -1,4 +1,4 @@
-//! A whole program over a mechanism: options, a run with progress, and what is written of it.
+//! A whole program over a mechanism: options, a run with progress, and its output files.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -44,13 +44,13 @@ pub struct Program<M> {
     every: f64,
 }
 
-/// Samples in a run where nobody says how many.
+/// Default number of samples in a run.
 const SAMPLES: f64 = 1000.0;
-/// A bar is drawn so often in a run.
+/// Number of times that the bar is drawn in a run.
 const TICKS: u64 = 1000;
 
 impl<M: Exchanged> Program<M> {
-    /// Runs this mechanism, for 10 s unless it is told otherwise.
+    /// Runs this mechanism, for 10 s by default.
     pub fn new(mechanism: M) -> Self {
         Self { mechanism, until: 10.0, every: 0.0 }
     }
@@ -67,7 +67,7 @@ impl<M: Exchanged> Program<M> {
         Self { every, ..self }
     }
 
-    /// Does what the command line says, and tells what it wrote, in its last lines.
+    /// Runs by the command line, and prints the names of written files at the end.
     pub fn main(self) -> ExitCode {
         let done = Options::from_args().map_err(Into::into).and_then(|options| self.with(&options));
         match done {
@@ -79,7 +79,7 @@ impl<M: Exchanged> Program<M> {
         }
     }
 
-    /// Does what options say. What was recorded before a fault is written all the same.
+    /// Runs by options. Samples recorded before a fault are written all the same.
     ///
     /// # Errors
     /// A parameter or an input that is not there; a fault of the run; a file that cannot be written, a port that cannot be had.
@@ -114,7 +114,7 @@ impl<M: Exchanged> Program<M> {
     }
 }
 
-/// A run from start to end, and what is written of it.
+/// A run from start to end, and its output files.
 struct Record<'a> {
     options: &'a Options,
     until: f64,
@@ -166,7 +166,7 @@ impl<M: Described<S = f64> + Statics> OnSim<M> for Serve<'_> {
     }
 }
 
-/// Tells what was written.
+/// Prints the names of written files.
 fn told(files: &[PathBuf]) {
     for path in files {
         println!("written: {}", path.display());
@@ -248,7 +248,7 @@ fn page<M: Described<S = f64>>(options: &Options, recording: &Recording) -> Resu
     match module.build(Path::new("target/plm/packages").join(format!("{}-live", M::TABLES.name))) {
         Ok(bytes) => Ok(page.with_module(&bytes)),
         Err(error) => {
-            // What was recorded can be looked at without it.
+            // The recorded run can be viewed without it.
             eprintln!("{error}\nthe page shows the recorded run alone");
             Ok(page)
         }

@@ -1,4 +1,4 @@
-//! A page that a running program serves itself: what its loop computes is shown, what is done in the page it obeys.
+//! A page that a running program serves itself: it shows the results of the loop, and the program obeys the page.
 
 use std::io;
 use std::thread;
@@ -12,8 +12,8 @@ use plm_view::serve::{Host, Message, Pull};
 
 /// A page served to browsers on this machine, for a loop of the user's own: hardware, a controller.
 ///
-/// The page shows the mechanism with its curves as it moves, and has a slider for each input and parameter, pause, step, restart
-/// and reset. Nobody who looks holds up the loop: [`show`](Self::show) waits for nothing, and a slow browser gets fewer rows.
+/// The page shows the mechanism with its curves as it moves, and has a slider for each input and parameter, pause, step, restart and reset.
+/// A browser never delays the loop: [`show`](Self::show) does not wait, and a slow browser gets fewer rows.
 ///
 /// ```no_run
 /// plm::mechanism! {
@@ -91,7 +91,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
         Ok(server)
     }
 
-    /// Where the page is: `http://127.0.0.1:40123/`.
+    /// Address of the page: `http://127.0.0.1:40123/`.
     pub fn url(&self) -> String {
         format!("http://{}/", self.host.address())
     }
@@ -115,7 +115,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
         self.host.trouble(Some(&plm_view::Fault { time: fault.time, part, text }));
     }
 
-    /// Whether the loop is to step: not while it is paused, but for single steps.
+    /// True if the loop is to step: while it is paused only for single steps.
     pub fn is_running(&self) -> bool {
         self.runs || self.goal.is_some()
     }
@@ -125,12 +125,12 @@ impl<M: Described<S = f64> + Statics> Server<M> {
         self.speed
     }
 
-    /// What was done in the page and not taken yet, for a loop that obeys by itself; nothing if there is nothing.
+    /// The next message from the page, for a loop that handles messages by itself; `None` if there is none.
     pub fn message(&self) -> Option<Message> {
         self.host.message()
     }
 
-    /// Does all that was done in the page: see [`apply`](Self::apply).
+    /// Handles all messages from the page: see [`apply`](Self::apply).
     pub fn obey<I: Method<M>>(&mut self, sim: &mut Sim<M, I>) {
         while let Some(message) = self.message() {
             self.apply(message, sim);
@@ -229,7 +229,7 @@ impl<M: Described<S = f64> + Statics> Server<M> {
         }
     }
 
-    /// Tells that it stands at its start.
+    /// Reports to the page that it is at its start.
     fn begin<I: Method<M>>(&mut self, sim: &Sim<M, I>) {
         self.goal = None;
         self.numbers.clear();

@@ -5,7 +5,7 @@ use plm_runtime::{AsMoment, Described, Moment, Scalar};
 use plm_sketch::Sketch;
 use plm_view::{Mechanism, mechanism};
 
-/// A schematic drawing of a mechanism at a moment: of a `Sim` or of a state. Gravity is told by [`Sketch::with_gravity`].
+/// A schematic drawing of a mechanism at a moment: of a `Sim` or of a state. [`Sketch::with_gravity`] sets the gravity.
 ///
 /// ```
 /// # plm::mechanism! {

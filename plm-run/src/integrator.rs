@@ -92,7 +92,7 @@ impl FromStr for Integrator {
     }
 }
 
-/// What a name is told that no method has: the nearest, and all that there are.
+/// Error for an unknown name of a method: it gives the nearest name, and all that there are.
 pub fn unknown(name: &str) -> BadOption {
     let names: Vec<&str> = NAMED.iter().map(|known| known.name).collect();
     let near = nearest(name, names.iter().copied());

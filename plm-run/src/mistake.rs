@@ -8,7 +8,7 @@ use std::fmt;
 pub struct BadOption(String);
 
 impl BadOption {
-    /// A mistake that a program finds by itself, in words.
+    /// A mistake that a program finds by itself, with its text.
     pub fn new(what: impl Into<String>) -> Self {
         Self(what.into())
     }
@@ -28,7 +28,7 @@ impl fmt::Display for BadOption {
 
 impl std::error::Error for BadOption {}
 
-/// The name that differs from a word in the fewest letters, if they are few.
+/// The name that differs from a given one in the fewest letters, if they are few.
 pub fn nearest<'a>(word: &str, names: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let near = names.map(|name| (distance(word, name), name)).min_by_key(|(distance, _)| *distance);
     near.filter(|(distance, name)| *distance <= 1 + name.len() / 4).map(|(_, name)| name)

@@ -1,4 +1,4 @@
-//! What is read of a body, and how the start of its origin becomes that of its centre of gravity.
+//! Readable pose and velocity of a body, and conversion of its start values from its origin to its centre of gravity.
 
 use core::fmt;
 use core::ops::Deref;

@@ -4,10 +4,10 @@
 
 /// Calls the macro `$with` with the catalogue, after the tokens that stand after its name here.
 ///
-/// First come the methods that choose their steps by an error, then those with steps of fixed length. A row has the name and, in
-/// brackets, the number in saved runs and in C, the name of that number in C after `PLM_`, the type for a mechanism `M`, the type as a
-/// text for numbers `REAL` of a mechanism `OWN`, the usual relative tolerance of a method that has one, a link for documentation, and
-/// the method in words. Numbers stay: a new method takes the next one.
+/// First come the methods with error control, then those with fixed steps. A row has the name and, in brackets, the number in saved runs
+/// and in C, the name of that number in C after `PLM_`, the type for a mechanism `M`, the type as a text for numbers `REAL` of a mechanism
+/// `OWN`, the usual relative tolerance of a method that has one, a link for documentation, and a description of the method. Numbers are
+/// never reused: a new method takes the next one.
 #[macro_export]
 #[doc(hidden)]
 macro_rules! methods {

@@ -1,7 +1,7 @@
 //! Long tables as they are written: names in one text, numbers as repetitions.
 //!
-//! A mechanism of a thousand bodies has tables of tens of thousands of entries. rustc takes a microsecond or more for each that
-//! stands in the source by itself; as long as nobody asks for a table, what makes it here takes nothing.
+//! A mechanism of a thousand bodies has tables of tens of thousands of entries. rustc takes a microsecond or more for each entry that is
+//! written out in the source. The functions here expand a compact form, and a table that nothing uses is never expanded.
 //!
 //! All of this runs while rustc evaluates constants: what does not fit is an error there.
 

@@ -16,11 +16,11 @@ pub struct Fault {
     pub time: f64,
     /// The part by its name in the declaration; empty where no single part is to blame.
     pub part: &'static str,
-    /// What happened.
+    /// Cause of the fault.
     pub cause: Cause,
 }
 
-/// What happened.
+/// Cause of a fault.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
@@ -28,11 +28,11 @@ pub enum Cause {
     NotFinite,
     /// A parameter gives the part a value that the equations do not allow: what the compiler says of such a literal.
     NotAllowed {
-        /// What it is: `mass`, `inertia`, `compliance`, `parameter`.
+        /// Quantity of the part: `mass`, `inertia`, `compliance`, `parameter`.
         what: &'static str,
-        /// What it must be.
+        /// Description of the allowed values.
         wanted: &'static str,
-        /// What it is.
+        /// Value that was found.
         found: f64,
         /// Its unit.
         unit: &'static str,
@@ -47,9 +47,9 @@ pub enum Cause {
     /// They had to be decomposed by rank, which would take more of the stack than is allowed
     /// ([`workspace`](crate::workspace)).
     Workspace {
-        /// What it would take, bytes.
+        /// Stack that the solution would need, bytes.
         bytes: usize,
-        /// What is allowed, bytes.
+        /// Stack that is allowed, bytes.
         allowed: usize,
     },
     /// The error stayed above the tolerance down to the smallest step.
@@ -79,11 +79,11 @@ pub enum Cause {
     /// A loop cannot be closed any further: the mechanism locks up. Where that is because lengths that repeat each other
     /// disagree, a joint can be declared to give way, with a `compliance`.
     Locked,
-    /// The same of a mechanism that is driven: a prescribed motion can go no further. The time is that at which it ends.
+    /// As [`Locked`](Self::Locked), but for a driven mechanism: a prescribed motion can go no further. The time is that at which it ends.
     LockedAt {
         /// The constraint row that prescribes the motion.
         row: &'static str,
-        /// What the row holds there, m or rad.
+        /// Value of the row at that time, m or rad.
         value: f64,
         /// The row is an angle.
         angular: bool,
@@ -115,17 +115,17 @@ pub enum Cause {
         /// The number allowed.
         steps: u64,
     },
-    /// A requirement of the part does not hold any more: the time is that at which it stopped to.
+    /// A requirement of the part is violated; the time is that at which this began.
     Required,
-    /// A requirement of the part does not hold where the run begins, or after a change from outside.
+    /// A requirement of the part does not hold at the start of the run, or after a change by the caller.
     NotMet {
         /// How far it is from holding, in the SI unit of what it compares; zero or less on its boundary, which the motion leaves to the
         /// wrong side.
         by: f64,
     },
-    /// What a row, a force or a rate divides by passes zero. The part is the row, the element or the state.
+    /// A divisor in a row, a force or a rate passes zero. The part is the row, the element or the state.
     Pole {
-        /// What it divides by.
+        /// Divisor that passes zero.
         by: &'static str,
     },
     /// A function in a row, a force or a rate is not defined beyond this. The part is the row, the element or the state.
@@ -164,7 +164,7 @@ pub enum Cause {
     ImpactGains {
         /// By how much, J.
         by: f64,
-        /// What impulses and rates turn over, J.
+        /// Energy that impulses and rates turn over, J.
         of: f64,
     },
     /// No forces of contact and friction satisfy all their laws: a body that slides digs in (Painleve). The part is a row that touches.
@@ -175,12 +175,13 @@ pub enum Cause {
         /// blame, not a number where it is not known.
         p: f64,
     },
-    /// A slip has come to where contact has no unique acceleration (Painleve). The part is the row whose push changes nothing there.
+    /// A slip has come to where contact has no unique acceleration (Painleve). The part is the row whose contact force does not
+    /// change its normal acceleration there.
     NotUnique {
         /// The share of D_nn that friction leaves, p = 1 - sigma mu D_nt/D_nn: zero, or a little beyond.
         p: f64,
     },
-    /// More rows of contact and friction begin to rest at once than are told apart.
+    /// More rows of contact and friction come to rest at once than modes can be determined for.
     TooManyContacts {
         /// Gaps that are closed.
         touching: usize,
@@ -231,7 +232,7 @@ pub enum Cause {
         /// The joints.
         joints: Names,
     },
-    /// Joints that repeat each other hold lengths that disagree; the part is the joint that stays open widest.
+    /// Redundant joints disagree: their lengths contradict each other. The part is the joint that stays open widest.
     Disagree {
         /// By how much, m or rad.
         gap: f64,
@@ -240,7 +241,7 @@ pub enum Cause {
     },
     /// The joints cannot be closed; the part is the one that stays open widest.
     Open {
-        /// What remains, m or rad.
+        /// Remaining gap, m or rad.
         gap: f64,
     },
     /// The mechanism was assembled on another mirror image than the joint, which is the part, asks for; that one was not
@@ -250,7 +251,7 @@ pub enum Cause {
         first: &'static str,
         /// The second.
         second: &'static str,
-        /// The second turns left from the first where it is to turn right; else the other way round.
+        /// True if the second body turns left from the first in the image found, while the joint asks for right; false for the reverse.
         left: bool,
     },
     /// The start is a change point, as of a linkage that lies in one line, from which two motions leave; the start velocities belong to
@@ -267,7 +268,7 @@ pub enum Cause {
     },
     /// The start velocities contradict the joints; the part is the one that is violated most.
     VelocityOpen {
-        /// What remains, m/s or rad/s.
+        /// Remaining violation, m/s or rad/s.
         gap: f64,
     },
 }

@@ -3,24 +3,24 @@
 use crate::scalar::{Real, Scalar};
 use crate::words::{InWords, Words};
 
-/// What is held over a step; the rate is smooth in time and state as long as this stays.
+/// Discrete state: constant during a step. The rate is smooth in time and state as long as it is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held<I, W, T, L, C = ()> {
     /// The inputs.
     pub input: I,
-    /// Of each switch the side that is held: -1 where its condition holds, else 1.
+    /// Side of each condition: -1 if the condition holds, else 1.
     pub switches: W,
-    /// Whole turns of the angles that are counted ([`turns`](crate::turns)).
+    /// Revolutions of the angles that are counted ([`turns`](crate::turns)).
     pub turns: T,
-    /// What is held of the loops: [`OfLoops`](crate::charts::OfLoops) where they are solved in charts, else nothing.
+    /// Discrete state of the loops: [`OfLoops`](crate::charts::OfLoops) if they are solved in charts, else nothing.
     pub of_loops: L,
-    /// What is held of the contact rows: [`contact::Held`](crate::contact::Held) where there are some, else nothing.
+    /// Discrete state of the contact rows: [`contact::Held`](crate::contact::Held) if there are some, else nothing.
     pub contact: C,
 }
 
-/// What whoever knows a mechanism by its contracts alone may ask of what is held.
+/// Properties of a discrete state that code generic over mechanisms can read.
 pub trait Discrete {
-    /// Loops are solved in charts, so that what is held belongs to a pose.
+    /// True if loops are solved in charts, so that the discrete state belongs to a pose.
     const CHARTED: bool;
 }
 
@@ -49,25 +49,25 @@ impl<I, S, const W: usize, T, L, C> Sides<S> for Held<I, [S; W], T, L, C> {
     }
 }
 
-/// What is held of the loops of several simulations, packed into one.
+/// Discrete state of the loops of several simulations, packed into one.
 pub trait Loops<S>: Copy {
-    /// The same in other numbers.
+    /// This discrete state with numbers of the type `T`.
     type Packed<T: Scalar>: Copy;
 
-    /// What `all` hold, made by `number`, in the chart of this one; what is held in another chart is left out.
+    /// Packs the discrete states `all`, whose numbers `number` combines, in the chart of this one; states in another chart are left out.
     fn packed<T: Scalar, const N: usize>(
         &self,
         all: [&Self; N],
         number: &impl Fn([S; N]) -> T,
     ) -> Self::Packed<T>;
 
-    /// Puts what `one` holds, in the same chart, into its lane of `wide`; `put` does so with a number.
+    /// Copies the discrete state `one`, in the same chart, into its lane of `wide`; `put` copies a number.
     fn put<T: Scalar>(wide: &mut Self::Packed<T>, one: &Self, put: &impl Fn(&mut T, S));
 
-    /// Becomes what is held in its lane of `wide`, in the same chart; `take` gives a number of that lane.
+    /// Becomes the discrete state in its lane of `wide`, in the same chart; `take` gives a number of that lane.
     fn take<T: Scalar>(&mut self, wide: &Self::Packed<T>, take: &impl Fn(T) -> S);
 
-    /// The chart that is held, from 0; none where no chart is good.
+    /// Number of the present chart, from 0; none if there is no chart.
     fn chart(&self) -> Option<usize>;
 }
 
@@ -85,7 +85,7 @@ impl<S> Loops<S> for () {
     }
 }
 
-/// Switches, turns, loops, contacts. The inputs have a type of the mechanism's own: they are shown by [`Ports`](crate::Ports).
+/// Sides of conditions, revolutions, loops, contacts. The inputs have a type of the mechanism's own: [`Ports`](crate::Ports) shows them.
 impl<S: Real, I, const W: usize, const T: usize, L: InWords, C: InWords> InWords
     for Held<I, [S; W], [i32; T], L, C>
 {

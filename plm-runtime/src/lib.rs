@@ -1,4 +1,4 @@
-//! What the programs that `plm` generates stand on: contracts, integrators, assembly, small linear algebra.
+//! Runtime of the programs that `plm` generates: contracts, integrators, assembly, small linear algebra.
 //!
 //! Nothing here allocates, prints, reads a clock or panics; sizes are constants of the types. Generated code
 //! implements [`System`] (and [`Absolute`] where it works with absolute coordinates and multipliers), users hold a
@@ -15,21 +15,21 @@
 //! | [`protocol`] | one step: proposed, judged, committed |
 //! | [`sim`] | a running simulation |
 //! | [`step`] | a step of fixed length by itself |
-//! | [`held`] | what is held over a step |
+//! | [`held`] | discrete state: constant during a step |
 //! | [`charts`] | loops in closed form: mirror images, and changes of coordinates |
-//! | [`singular`] | near singular poses: absolute coordinates in numbers of twice the precision |
+//! | [`singular`] | near-singular poses: absolute coordinates in double-double numbers |
 //! | [`absolute`] | assembly, projection, accelerations by rank for constrained absolute coordinates |
-//! | [`limits`] | what parameters may be |
+//! | [`limits`] | allowed values of parameters |
 //! | [`ports`] | inputs and outputs by number |
-//! | [`described`] | bodies, parts, parameters and all that is observed, by number |
+//! | [`described`] | bodies, parts, parameters and observed quantities, by number |
 //! | [`lanes`] | several trajectories side by side |
 //! | [`dual`], [`linear`] | derivatives by dual numbers |
 //! | [`inverse`] | inverse dynamics: the inputs that a motion needs |
 //! | [`linearised`] | a mechanism near a moment as a linear system |
 //! | [`enclosure`] | values and slopes enclosed over an interval of time |
 //! | [`double_double`] | double-double numbers: twice the precision |
-//! | [`statics`] | what vanishes at an equilibrium |
-//! | [`words`] | a run as words, for files and other processes |
+//! | [`statics`] | equations of static equilibrium |
+//! | [`words`] | a run as 64-bit words, for files and other processes |
 //! | [`workspace`] | how much of the stack a solution by rank takes, and may take |
 //! | [`linalg`] | orthogonalisation of rows: rank, pseudo-inverse, null space; elimination |
 //!

@@ -3,12 +3,12 @@
 use crate::fault::{Cause, Fault};
 use crate::scalar::Real;
 
-/// What a value of the declaration may be where it depends on parameters.
+/// Limit of a value of the declaration that depends on parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limit {
     /// The body or joint that it belongs to.
     pub part: &'static str,
-    /// What it is: `mass`, `compliance`.
+    /// Quantity: `mass`, `compliance`.
     pub what: &'static str,
     /// Its unit.
     pub unit: &'static str,
@@ -21,7 +21,7 @@ pub struct Limit {
 pub enum Least {
     /// More than zero: something divides by it.
     Positive,
-    /// Zero where other masses carry it; [`absolute::check_carried`](crate::absolute::check_carried) looks at that.
+    /// Zero, if other masses carry it: [`absolute::check_carried`](crate::absolute::check_carried) checks that.
     Carried,
     /// Zero.
     Zero,
@@ -57,7 +57,7 @@ impl Least {
     }
 }
 
-/// Looks at the values that parameters give to what has limits.
+/// Checks the values that parameters give to limited quantities.
 ///
 /// # Errors
 /// [`Cause::NotAllowed`] for the first one that is outside of them, [`Cause::NotMet`] of a requirement.
@@ -79,7 +79,7 @@ pub fn check_numbers<S: Real>(
     t: S,
     parameters: impl IntoIterator<Item = (&'static str, &'static str, S)>,
 ) -> Result<(), Fault> {
-    // What is not a number does not equal itself; infinity is a number that a limit of a force may well have.
+    // NaN does not equal itself; infinity is a number that a limit of a force may well have.
     match parameters.into_iter().find(|(.., value)| value.partial_cmp(value).is_none()) {
         None => Ok(()),
         Some((part, unit, value)) => {

@@ -21,25 +21,25 @@ pub fn finite<S: Real, const N: usize>(health: Health<S>, by_x: &[[S; N]; N]) ->
 /// A system that can be differentiated: generated code says how its numbers become [`Dual`] numbers, the rest is done
 /// by running it on them.
 pub trait Linear: System<S: Real, X: Dense<<Self as Rate>::S>> {
-    /// The same system of dual numbers.
+    /// This system with dual numbers.
     type Lifted<const K: usize>: Linear<S = Dual<Self::S, K>>;
-    /// The same system in other numbers.
+    /// This system with numbers of another type.
     type In<T: Real>: Linear<S = T>;
     /// The form in which implicit methods keep the derivatives of the rate: a matrix, where states are few, or the
     /// coefficients of an augmented system.
     type Derivatives: Derivatives<Self::S, Self::X>;
 
-    /// The system with what is held over a step, all numbers constant.
+    /// The system and the discrete state with dual numbers, all of them constants.
     fn lift<const K: usize>(&self, held: &Self::U) -> (Self::Lifted<K>, <Self::Lifted<K> as Rate>::U);
 
-    /// The system with what is held over a step in other numbers, each made by `number`.
+    /// The system and the discrete state with numbers of another type, each made by `number`.
     fn in_numbers<T: Real>(
         &self,
         held: &Self::U,
         number: impl Fn(Self::S) -> T,
     ) -> (Self::In<T>, <Self::In<T> as Rate>::U);
 
-    /// The same for the rate alone, which reads no start values: they are constants.
+    /// As [`in_numbers`](Self::in_numbers), for the rate alone. The rate reads no start values, so these may be constants.
     fn rate_in_numbers<T: Real>(
         &self,
         held: &Self::U,
@@ -58,8 +58,8 @@ pub trait Linear: System<S: Real, X: Dense<<Self as Rate>::S>> {
         let _ = (t, x, row);
     }
 
-    /// Gives `row` what a state has to keep until the next event: displacements and rates of the [contact rows](crate::contact) that
-    /// hold, and discrete states.
+    /// Gives `row` the residual of every equation that a state has to satisfy until the next event, beside the constraints: displacements
+    /// and rates of the [contact rows](crate::contact) that are in force, and discrete states.
     fn held_rows(&self, t: Self::S, u: &Self::U, x: &Self::X, row: &mut impl FnMut(Self::S)) {
         let _ = (t, u, x, row);
     }

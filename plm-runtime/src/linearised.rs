@@ -19,9 +19,9 @@ impl<M: Described + Linear<Lifted<1>: Described>> Linearisable for M {}
 
 /// The directions in which the state of a mechanism can go, and what changes along them.
 ///
-/// With constraints the state is counted along what they leave: orthonormal directions. Gaps that are closed and frictions that stick are
-/// such constraints: the system is that of the modes held. Without any the directions are those
-/// of the state, [`Labels::name_of_state`](crate::Labels::name_of_state). Inputs and observed quantities are in SI.
+/// With constraints the state is counted along orthonormal directions that they allow. Gaps that are closed and frictions that stick are
+/// such constraints: the system is linearised in the present contact modes. Without any constraint the directions are those of the state,
+/// [`Labels::name_of_state`](crate::Labels::name_of_state). Inputs and observed quantities are in SI.
 pub struct Linearised<'a, M: Mechanism + Linear> {
     state: &'a M::State,
     /// Rows, of which the first `fixed` are those that constraints do not leave.
@@ -50,7 +50,7 @@ impl Matrix {
     pub const ALL: [Self; 5] = [Self::A, Self::B, Self::C, Self::D, Self::Basis];
 }
 
-/// What moves.
+/// Variable of differentiation: a direction of the state, or an input.
 #[derive(Clone, Copy)]
 enum Along<X> {
     State(X),
@@ -189,8 +189,8 @@ impl<'a, M: Linearisable> Linearised<'a, M> {
         }
     }
 
-    /// What is left of a row across those before `number`: twice, so that rounding leaves nothing along them (A. Björck, Numerical
-    /// Methods for Least Squares Problems, 1996, 2.4.5).
+    /// Component of a row that is orthogonal to the rows before `number`. It is orthogonalised twice, so that rounding leaves nothing along
+    /// them (A. Björck, Numerical Methods for Least Squares Problems, 1996, 2.4.5).
     fn across(&self, number: usize, mut row: M::X) -> M::X {
         for other in (0..2).flat_map(|_| 0..number) {
             let other = self.row(other);
@@ -203,7 +203,7 @@ impl<'a, M: Linearisable> Linearised<'a, M> {
     fn take(&mut self, number: usize, row: M::X) -> bool {
         let (rest, size) = (self.across(number, row), dot::<M>(&row, &row).sqrt());
         let left = dot::<M>(&rest, &rest).sqrt();
-        // False for what is not a number.
+        // False for NaN.
         let counts = left > M::S::RANK_TOLERANCE * size;
         if counts {
             self.put(number, &rest.map(|entry| entry / left));

@@ -1,4 +1,4 @@
-//! What a generated mechanism offers beyond its equations: a start, and states that people can read.
+//! Contracts of generated mechanisms beyond their equations: the start, and readable states.
 
 use crate::fault::Fault;
 use crate::method::{Dop853, Method};
@@ -27,7 +27,7 @@ pub trait Moment: Copy {
     /// The mechanism.
     type M: System;
 
-    /// The mechanism at `time` in the state `x`, with what is held over a step: inputs, chart, branches.
+    /// The mechanism at `time` in the state `x`, with the discrete state `held`: inputs, chart, branches.
     fn new(
         mechanism: Self::M,
         held: <Self::M as Rate>::U,
@@ -36,7 +36,7 @@ pub trait Moment: Copy {
     ) -> Self;
     /// The mechanism and its parameters.
     fn mechanism(&self) -> &Self::M;
-    /// What is held over a step.
+    /// The discrete state.
     fn held(&self) -> <Self::M as Rate>::U;
     /// The time, s.
     fn time(&self) -> <Self::M as Rate>::S;
@@ -44,7 +44,7 @@ pub trait Moment: Copy {
     fn x(&self) -> &<Self::M as Rate>::X;
     /// Moves on to another time and state.
     fn set(&mut self, time: <Self::M as Rate>::S, held: &<Self::M as Rate>::U, x: &<Self::M as Rate>::X);
-    /// The same by reference, for what moves it on without a copy.
+    /// Mutable access to time, state and discrete state, for code that advances them without a copy.
     fn in_place(&mut self) -> InPlace<'_, Self::M>;
 }
 
@@ -52,7 +52,7 @@ pub trait Moment: Copy {
 pub struct InPlace<'a, M: System> {
     /// The mechanism and its parameters.
     pub system: &'a M,
-    /// What is held over a step.
+    /// The discrete state.
     pub held: &'a mut M::U,
     /// The time, s.
     pub time: &'a mut M::S,
@@ -100,8 +100,8 @@ impl<M: System + Copy> Moment for At<M> {
     }
 }
 
-/// What is at a moment: a [`Moment`] itself, as `run` gives it, and a [`Sim`], which is at one. So functions that look at a
-/// moment take either.
+/// Access to a moment: a [`Moment`] itself, as `run` gives it, or a [`Sim`], by its present state. Functions that read a moment accept
+/// either.
 pub trait AsMoment {
     /// The generated readable state.
     type State: Moment;
@@ -142,7 +142,7 @@ pub trait Mechanism: System<S: Real> + Copy {
     /// When the mechanism cannot be assembled, or when locks are redundant.
     fn start_state(&self, t: Self::S) -> Result<(Self::U, Self::X), Fault>;
 
-    /// Looks at the parameters; `t` is the time that a fault tells.
+    /// Checks the parameters; a fault reports the time `t`.
     ///
     /// # Errors
     /// [`Cause::NotAllowed`](crate::Cause::NotAllowed): a parameter that is not a number, or one that makes a mass, an
@@ -168,8 +168,8 @@ pub trait Mechanism: System<S: Real> + Copy {
         Ok(())
     }
 
-    /// How far the joints are open at a state. With joint coordinates they cannot drift, so that
-    /// [`Constraints::drift`](crate::Constraints::drift) has nothing to look at in a step; they are open all the same where parameters were changed.
+    /// Violation of the joints at a state. Joint coordinates cannot drift in a step, so that there
+    /// [`Constraints::drift`](crate::Constraints::drift) is nothing; the joints are open all the same after parameters were changed.
     fn opening(&self, t: Self::S, held: &Self::U, x: &Self::X) -> Drift<Self::S> {
         self.drift(t, held, x)
     }

@@ -1,9 +1,9 @@
-//! Numbers with the derivative of one side: what a run does when what it is derived by has moved on a little.
+//! Numbers with a one-sided derivative: how a run changes if the variable of differentiation moves a little to one side.
 //!
-//! A number is a value and an infinitesimal multiple of it after, in lexicographic order: two that are equal are told apart by the way they
-//! go. So an order of two events at one time, a touch and a friction at its limit are decided, each side for itself (directional
-//! derivatives of piecewise smooth functions: A. Griewank, On stable piecewise linearization and generalized algorithmic differentiation,
-//! Optim. Methods Softw. 28, 2013).
+//! A number is a value and after it an infinitesimal multiple, in lexicographic order: two of equal value are ordered by their derivatives.
+//! So each side by itself decides the order of two events at one time, a touch, and a friction at its limit (directional derivatives of
+//! piecewise smooth functions: A. Griewank, On stable piecewise linearization and generalized algorithmic differentiation, Optim. Methods
+//! Softw. 28, 2013).
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,4 +1,4 @@
-//! Inputs and outputs by number: for linearisation, and for whoever couples mechanisms without knowing their names.
+//! Inputs and outputs by number: for linearisation, and for coupling mechanisms without their names.
 
 use crate::mechanism::Mechanism;
 use crate::system::Rate;
@@ -24,7 +24,7 @@ pub trait Ports: Mechanism {
         Self::OUTPUTS
     }
 
-    /// The inputs among what is held over a step.
+    /// The inputs in the discrete state.
     fn inputs(held: &mut <Self as Rate>::U) -> &mut Self::Input;
 
     /// The input with this index, in SI units; none beyond the last.

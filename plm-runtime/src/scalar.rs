@@ -36,18 +36,18 @@ pub trait Scalar:
 {
     /// The outcome of a comparison, lane by lane.
     type Mask: Copy;
-    /// Whole turns of an angle, lane by lane.
+    /// Number of revolutions of an angle, lane by lane.
     type Turns: Copy + Debug + PartialEq;
 
     /// 0, in every lane.
     const ZERO: Self;
-    /// Smallest pivot ratio ([`Health`](crate::Health)) at which a solution without pivoting is kept.
+    /// Smallest pivot ratio ([`Health`](crate::Health)) at which a solution without pivoting is accepted.
     ///
     /// With the ratio r such a solution is good to about eps / r, the one by rank to eps / sqrt(r). At
     /// r = eps^(1/3) the first still has two thirds of all digits, which no step of usual accuracy notices.
     const HEALTHY: f64;
     /// Largest ratio of a diagonal entry to its pivot; a row beyond it depends on others and is left out. Where numbers are
-    /// as exact as the lengths, rounding cannot be told from a singular pose, and none is.
+    /// as exact as the lengths, rounding and a singular pose cannot be distinguished, and no row is left out.
     const MOST_GROWTH: f64 = f64::INFINITY;
     /// Lengths that repeat each other may differ by one part in so many; the rest of what they differ by is not rounding.
     const AGREEMENT: f64;
@@ -62,9 +62,9 @@ pub trait Scalar:
 
     /// The constant `x`, rounded to this type, in every lane.
     fn lit(x: f64) -> Self;
-    /// A number of whole turns.
+    /// Number of revolutions as a scalar.
     fn of_turns(turns: Self::Turns) -> Self;
-    /// A whole number as a number of turns.
+    /// A whole number as a number of revolutions.
     fn to_turns(self) -> Self::Turns;
     /// The value as `f64`; of the first lane where there are several (times are equal in all lanes).
     fn to_f64(self) -> f64;
@@ -77,13 +77,13 @@ pub trait Scalar:
         true
     }
 
-    /// The largest of its derivatives that hold to both sides; 0 where they are not known, and of numbers without.
+    /// Largest derivative of the number that holds on both sides; 0 if its derivatives are not known, and for numbers without derivatives.
     #[inline]
     fn largest_derivative(self) -> f64 {
         0.0
     }
 
-    /// How a number changes that has the derivative of one side ([`OneSided`](crate::OneSided)); nothing for every other.
+    /// Derivative of a number that has a one-sided one ([`OneSided`](crate::OneSided)); `None` for every other type.
     #[inline]
     fn goes(self) -> Option<f64> {
         None
@@ -203,7 +203,7 @@ pub trait Scalar:
     /// Is the mask set in every lane?
     fn all(mask: Self::Mask) -> bool;
 
-    /// The same numbers as `f64`; nothing where they are of another type. What computes with `f64` alone takes them so.
+    /// The slice as `f64`; `None` if the numbers are of another type. Code that computes with `f64` alone is called so.
     #[inline]
     #[must_use]
     fn f64s(numbers: &[Self]) -> Option<&[f64]> {

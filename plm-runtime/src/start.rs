@@ -1,4 +1,4 @@
-//! Where a body starts, and what assembly may not change.
+//! Start values of bodies, and which of them assembly must not change.
 
 use core::fmt;
 
@@ -10,7 +10,7 @@ use crate::vector::Vector;
 pub struct Start<S> {
     /// The value, SI units.
     pub value: S,
-    /// Kept as it is (a lock) rather than moved to close the joints.
+    /// True if assembly leaves the value unchanged (a lock); false if it may move it to close the joints.
     pub locked: bool,
     /// Made by the declaration: it follows the parameters that it reads, unless another value was set.
     is_declared: bool,
@@ -49,13 +49,13 @@ impl<S> Start<S> {
         Self { value, locked, is_declared: true }
     }
 
-    /// The same lock with another value.
+    /// Start with another value and this lock; it counts as set by hand.
     #[must_use]
     pub fn at(self, value: S) -> Self {
         Self { value, locked: self.locked, is_declared: false }
     }
 
-    /// The same start in other numbers.
+    /// Start with its value converted to another number type.
     pub fn map<T>(self, f: impl Fn(S) -> T) -> Start<T> {
         Start { value: f(self.value), locked: self.locked, is_declared: self.is_declared }
     }
@@ -86,7 +86,7 @@ pub struct BodyStart<S> {
 }
 
 impl<S> BodyStart<S> {
-    /// The same start in other numbers.
+    /// Start with its values converted to another number type.
     pub fn map<T>(self, f: impl Fn(S) -> T) -> BodyStart<T> {
         BodyStart {
             x: self.x.map(&f),
@@ -100,7 +100,7 @@ impl<S> BodyStart<S> {
 }
 
 impl<S: Copy> BodyStart<S> {
-    /// The same locks with other values.
+    /// Start with other values and these locks.
     #[must_use]
     pub fn at(self, [x, y, angle]: [S; 3], [vx, vy, omega]: [S; 3]) -> Self {
         Self {
@@ -140,7 +140,7 @@ pub fn follow<S: Scalar, T: StartValues<S>>(starts: &mut T, before: T, after: T)
     follow_where(starts, before, after, |start| start.is_declared);
 }
 
-/// The same of those start values that `follows` takes.
+/// As [`follow`], for those start values for which `follows` is true.
 pub(crate) fn follow_where<S: Scalar, T: StartValues<S>>(
     starts: &mut T,
     mut before: T,

@@ -41,13 +41,13 @@ pub trait Statics: Mechanism {
         Self::STATES
     }
 
-    /// The state of a moment in absolute coordinates, angles with all turns.
+    /// The state of a moment in absolute coordinates, angles including all revolutions.
     fn full(state: &Self::State) -> Self::Full;
 
     /// Gives `each` in turn: the forces phi_q^T lambda - Q (N, N, N m per body), phi, phi_q v - nu, and the rates of the
-    /// first-order states; then the displacements of rows of contact, whose forces are those of the multipliers in `held`, and how much
-    /// each can give to either side while it holds. Accelerations are taken as zero where forces or rates read them. The angles of `x`
-    /// have all turns, so that `u` counts none.
+    /// first-order states; then the displacements of rows of contact, whose forces are the multipliers in `held`, and the largest force of
+    /// each to either side. Accelerations are taken as zero if forces or rates read them. The angles of `x` include all
+    /// revolutions, so that `u` counts none.
     fn equations(
         &self,
         t: Self::S,
@@ -57,7 +57,7 @@ pub trait Statics: Mechanism {
         each: &mut impl FnMut(Self::S),
     );
 
-    /// The multipliers of rows of contact in what is held: pushes and frictions, N or N m.
+    /// The multipliers of rows of contact in the discrete state: contact forces and frictions, N or N m.
     fn multipliers(held: &mut Self::U) -> &mut [Self::S] {
         let _ = held;
         &mut []
@@ -70,8 +70,8 @@ pub trait Statics: Mechanism {
     /// As those of [`start_state`](Mechanism::start_state).
     fn start_with_inputs(&self, t: Self::S, held: &Self::U) -> Result<(Self::U, Self::X), Fault>;
 
-    /// What is held where nothing is assembled: the inputs as declared, every condition on one side, no turns, the first chart
-    /// without a memory. What was saved of a run is read into it.
+    /// Discrete state before assembly: the inputs as declared, every condition on one side, no revolutions, the first chart without
+    /// continuation data. A saved run is read into it.
     fn unstarted(&self) -> Self::U;
 
     /// The start values as they are set: those of each body (x, y, angle, vx, vy, omega), then first-order states.

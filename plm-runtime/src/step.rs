@@ -20,8 +20,8 @@ use crate::vector::Vector;
 /// more.
 const DRIFT: f64 = 1e-10;
 
-/// What rounding has left out of the time over steps by themselves. In `f32` a step of a millisecond is rounded to 0.977 ms after
-/// 1000 s, and to 0 or 2 ms after 20 000 s; so the rest of a step is added to the next one, as [`Sim::step`](crate::Sim::step) does.
+/// Rounding error of the time over steps by themselves. In `f32` a step of a millisecond is rounded to 0.977 ms after 1000 s, and to 0 or 2
+/// ms after 20 000 s; so the rest of a step is added to the next one, as [`Sim::step`](crate::Sim::step) does.
 ///
 /// It is no part of a state: two states are equal whatever it is.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +35,7 @@ impl<S: Real> Remainder<S> {
         Self(S::ZERO)
     }
 
-    /// The end of a step of `h` from `time`, and what is left out of that (W. Kahan, Further remarks on reducing truncation errors,
+    /// The end of a step of `h` from `time`, and the rounding error of that (W. Kahan, Further remarks on reducing truncation errors,
     /// Commun. ACM 8, 1965). A rest has no derivatives.
     #[inline]
     fn after(self, time: S, h: S) -> (S, Self) {
@@ -139,13 +139,13 @@ fn end_of<M: Pack>(system: &M, held: &M::U, (time, h): (M::S, M::S), end: M::S) 
     if !system.is_regular(held) {
         return Err(not_regular(time));
     }
-    // False for what is not a number.
+    // False for NaN.
     let moves = h > M::S::ZERO && end >= time;
     if moves { Ok(end) } else { Err(Fault::new(time.to_f64(), Cause::StepTooSmall { step: h.to_f64() })) }
 }
 
-/// Is there nothing to do after a step? All is looked at where it stands; of a loop in a good chart, whether the state is near
-/// to the last one that was looked at.
+/// True if nothing is to be done after a step. All conditions are evaluated at its end; of a loop in a good chart, only whether the state
+/// is still near the last checked one.
 #[inline]
 fn is_uneventful<M: Pack>(step: &Step<'_, M>) -> bool {
     let &Step { system, held, from: (start, _), to: (end, x), .. } = step;
@@ -228,7 +228,7 @@ fn not_regular<S: Real>(time: S) -> Fault {
     Fault::new(time.to_f64(), Cause::NotRegular)
 }
 
-/// W. Kutta's step where it is no straight line: in another chart than the first, or with angles of many turns.
+/// W. Kutta's step outside the straight-line case: in another chart than the first, or with angles of many revolutions.
 #[cold]
 #[inline(never)]
 pub fn rk4<M: System>(system: &M, t: M::S, u: &M::U, mut x: M::X, h: M::S) -> (M::X, Health<M::S>) {
@@ -236,13 +236,13 @@ pub fn rk4<M: System>(system: &M, t: M::S, u: &M::U, mut x: M::X, h: M::S) -> (M
     (x, health)
 }
 
-/// Whether linearised equations can be solved, whose pivots were taken from products that were larger by `growth`.
+/// Checks that linearised equations can be solved, by the `growth` of the products from which their pivots were taken.
 ///
 /// # Errors
-/// Where a pivot is nothing but rounding; `rows` is the number of states.
+/// A fault if a pivot is nothing but rounding; `rows` is the number of states.
 #[inline]
 pub fn solvable<S: Real>(t: S, growth: S, rows: usize) -> Result<(), Fault> {
-    // False for what is not a number.
+    // False for NaN.
     let is_small = growth * (S::lit(64.0) * S::EPSILON) < S::lit(1.0);
     if is_small { Ok(()) } else { Err(singular(t, rows)) }
 }

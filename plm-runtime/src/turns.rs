@@ -1,31 +1,31 @@
-//! Whole turns of angles that may turn without end, counted beside the state.
+//! Revolutions of angles that may turn without end, counted beside the state.
 //!
-//! An angle in the state stays within three quarters of a turn: what sines and cosines are made of it is as exact after a day as after
-//! a minute, in `f32` as well. What reads the angle itself has the turns added.
+//! An angle in the state stays within three quarters of a revolution: its sine and cosine are as exact after a day as after a minute, in
+//! `f32` as well. Quantities that read the angle itself get the revolutions added.
 
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// An angle that is farther from zero, rad, is brought back by whole turns: three quarters of one, so that one that swings
-/// about half a turn is not brought back each time.
+/// An angle whose absolute value is larger, rad, is reduced by revolutions. The bound is three quarters of a revolution, so that an angle
+/// that swings about half a revolution is not reduced each time.
 const FARTHEST: f64 = 0.75 * TAU;
-/// A whole turn, rad ...
+/// A revolution, rad ...
 const TAU: f64 = core::f64::consts::TAU;
-/// ... and what it lacks.
+/// ... and its rounding error.
 const TAU_LOW: f64 = 2.449_293_598_294_706_4e-16;
 /// So many numbers stay in registers over a step.
 const IN_REGISTERS: usize = 8;
-/// More turns at once are none that a step can make.
+/// An angle that is larger, rad, is left alone: no step can turn so far.
 const MOST: f64 = 1e9;
 
-/// The angle with its whole turns, rad.
+/// The angle with its revolutions, rad.
 #[inline]
 #[must_use]
 pub fn whole<S: Real>(angle: S, turns: i32) -> S {
     S::of_turns(turns).mul_add(S::lit(TAU), angle)
 }
 
-/// Adds to angles among `numbers` the turns that are counted for them; `places` has those of each count.
+/// Adds the counted revolutions to angles among `numbers`; `places` has the indices of the angles of each count.
 #[inline]
 pub fn add<S: Real, const K: usize>(turns: &[i32; K], numbers: &mut impl Vector<S>, places: &[&[usize]; K]) {
     for (&turns, places) in turns.iter().zip(places) {
@@ -35,46 +35,46 @@ pub fn add<S: Real, const K: usize>(turns: &[i32; K], numbers: &mut impl Vector<
     }
 }
 
-/// The whole turns that an angle is to be brought back by; 0 as long as it is near.
+/// Number of revolutions by which an angle is to be reduced; 0 as long as it is near.
 #[inline]
 pub(crate) fn due<S: Real>(angle: S) -> i32 {
     let is_far = angle.abs() > S::lit(FARTHEST) && angle.abs() < S::lit(MOST);
     if !is_far {
         return 0;
     }
-    // The floor by way of an integer, which rounds to zero: so many turns fit into it.
+    // The floor by way of an integer, which rounds to zero: an `i32` has room for so many revolutions.
     let turns = angle * S::lit(1.0 / TAU) + S::lit(0.5);
     let whole = turns.to_turns();
     if S::of_turns(whole) > turns { whole - 1 } else { whole }
 }
 
-/// Is an angle near enough that it is not brought back?
+/// Is an angle so near to zero that it is not reduced?
 #[inline]
 pub fn is_near<S: Real>(angle: S) -> bool {
     due(angle) == 0
 }
 
-/// An angle less whole turns: the difference is exact for one turn (Sterbenz), its rest is rounded once.
+/// An angle less whole revolutions: the difference is exact for one revolution (Sterbenz), its rest is rounded once.
 #[inline]
 pub(crate) fn less<S: Real>(angle: S, turns: i32) -> S {
     let (count, high) = (S::of_turns(turns), S::lit(TAU));
     (angle - count * high) - count * S::lit(TAU - high.to_f64() + TAU_LOW)
 }
 
-/// Is the first angle of a count among `numbers` to be brought back?
+/// Is the first angle of a count among `numbers` to be reduced?
 #[inline]
 pub fn are_due<S: Real, const K: usize>(numbers: &impl Vector<S>, places: &[&[usize]; K]) -> bool {
     places.iter().filter_map(|places| places.first()).any(|&place| due(numbers.at(place)) != 0)
 }
 
-/// The same of several side by side: 0 in the lanes where one is to be brought back, 1 elsewhere.
+/// As the negation of [`are_due`], for states side by side: 0 in the lanes where an angle is to be reduced, 1 elsewhere.
 #[inline]
 pub fn all_near<T: Scalar, const K: usize>(numbers: &impl Vector<T>, places: &[&[usize]; K]) -> T {
     let first = places.iter().filter_map(|places| places.first());
     first.fold(T::lit(1.0), |near, &place| near.min(are_near(numbers.at(place))))
 }
 
-/// 0 in the lanes whose angle is to be brought back, 1 elsewhere.
+/// 0 in the lanes whose angle is to be reduced, 1 elsewhere.
 #[inline]
 pub(crate) fn are_near<T: Scalar>(angle: T) -> T {
     let (zero, one) = (T::lit(0.0), T::lit(1.0));
@@ -82,8 +82,8 @@ pub(crate) fn are_near<T: Scalar>(angle: T) -> T {
     T::select(T::lit(FARTHEST).lt(angle.abs()), due, one)
 }
 
-/// Brings angles among `numbers` back by whole turns, which are counted; those of one count together, when the first of
-/// them is far: others may be far from that. Whether there were some.
+/// Reduces angles among `numbers` by whole revolutions, and counts these. The angles of one count are reduced together, when the first of
+/// them is far; the others may be far from that. Returns true if some were reduced.
 #[inline]
 pub fn unwind<S: Real, X: Vector<S>, const K: usize>(
     turns: &mut [i32; K],
@@ -107,7 +107,7 @@ pub fn unwind<S: Real, X: Vector<S>, const K: usize>(
     turned
 }
 
-/// The same where one may be far.
+/// As [`unwind`], if an angle may be far.
 #[cold]
 fn unwind_far<S: Real, const K: usize>(
     turns: &mut [i32; K],
@@ -133,7 +133,7 @@ fn unwind_far<S: Real, const K: usize>(
 mod tests {
     use super::{FARTHEST, TAU, add, all_near, due, less, unwind, whole};
 
-    /// Counts beside a sum of equal steps, against the sum in integers: the pose is that of the first turns.
+    /// Compares the counted revolutions with a sum of equal steps in integers: the pose is that of the first revolutions.
     fn turned<S: crate::Real>(steps: u32) -> (S, i32) {
         let (mut angle, mut turns) = ([S::ZERO], [0]);
         for _ in 0..steps {

@@ -1,7 +1,7 @@
-//! A run as words of 64 bits, for files and for other processes.
+//! A run as 64-bit words, for files and for other processes.
 //!
-//! One function shows every word, in one order, to whoever writes, reads or counts them: so what is read is what was
-//! written, and always as many. A number is the word of its bits.
+//! One function visits every word, in one order, for writing, reading and counting: so a run is read in the order in which it was written,
+//! and its number of words is always the same. A number is the word of its bits.
 
 use crate::scalar::Real;
 use crate::vector::Vector;
@@ -53,7 +53,7 @@ pub trait Words {
         }
     }
 
-    /// What may not be there; `blank` takes its place in the order then.
+    /// A value that may be absent; `blank` takes its place in the order then.
     fn perhaps<T: Copy>(&mut self, value: &mut Option<T>, blank: T, each: impl FnOnce(&mut Self, &mut T)) {
         let (mut is_there, mut inner) = (value.is_some(), value.unwrap_or(blank));
         self.flag(&mut is_there);
@@ -62,7 +62,7 @@ pub trait Words {
     }
 }
 
-/// What can be shown in words, always as many.
+/// Types that can be shown as words, always as many.
 pub trait InWords {
     /// Shows every word, in order.
     fn each(&mut self, words: &mut impl Words);

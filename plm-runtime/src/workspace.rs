@@ -1,21 +1,21 @@
 //! How much of the stack a solution by rank takes, and how much it may.
 //!
-//! Elimination of the constraints needs room that grows with the number of bodies. Where it is not healthy (rows that repeat
-//! each other, locks that are too many, singular poses), a solution by rank orthogonalises the rows of phi_q, which are
-//! then held in full: [`Mechanism::WORKSPACE`](crate::Mechanism::WORKSPACE) bytes, one set at a time.
+//! Elimination of the constraints needs room that grows with the number of bodies. If it is not healthy (redundant rows, too many locks,
+//! singular poses), a solution by rank orthogonalises the rows of phi_q. The matrix is then stored in full:
+//! [`Mechanism::WORKSPACE`](crate::Mechanism::WORKSPACE) bytes, one set at a time.
 //!
-//! A stack that overflows ends the program, and how much is left of it cannot be known here. So what would take more than is
+//! A stack that overflows ends the program, and how much is left of it cannot be known here. So a solution that would need more than is
 //! allowed is refused, with [`Cause::Workspace`], and the run ends as with any other fault.
 //!
-//! Only these matrices grow with the square of the number of bodies. The functions that hold them are not inlined, so that no
-//! healthy elimination pays for their stack.
+//! Only these matrices grow with the square of the number of bodies. The functions that store them are not inlined, so that a healthy
+//! elimination does not pay for their stack.
 
 use core::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::fault::Cause;
 
-/// What is allowed at first, bytes: half of the 2 MiB that threads have where nothing else is said. It is enough for 256 rows
-/// of `f64` on 256 coordinates, some 85 bodies.
+/// Default limit, bytes: half of the default stack of a thread, 2 MiB. It is enough for 256 rows of `f64` on 256 coordinates, some 85
+/// bodies.
 pub const USUAL: usize = 1 << 20;
 
 static MOST: AtomicUsize = AtomicUsize::new(USUAL);

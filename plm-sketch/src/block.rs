@@ -1,4 +1,4 @@
-//! A part that lies in no plane as a box: its sign, its ports and signals, and which way its flows and forces count.
+//! A part without a place in the plane, drawn as a box: its sign, its ports and signals, and the positive senses of its flows and forces.
 
 use std::path::Path;
 
@@ -20,9 +20,9 @@ const ASIDE: f64 = 13.0;
 /// A side of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// Where what goes in stands by custom.
+    /// Left: inputs by custom.
     Left,
-    /// Where what comes out stands.
+    /// Right: outputs.
     Right,
     /// Above.
     Top,
@@ -30,7 +30,7 @@ pub enum Side {
     Bottom,
 }
 
-/// What counts as positive at a port.
+/// Positive sense at a port.
 #[derive(Clone, Debug, PartialEq)]
 enum Arrow {
     Inward(String),
@@ -39,7 +39,7 @@ enum Arrow {
     Turn(String),
 }
 
-/// What stands at a side of a box.
+/// Port or signal at a side of a box.
 #[derive(Clone, Debug, PartialEq)]
 struct Pin {
     side: Side,
@@ -75,43 +75,43 @@ impl Block {
         Self { name: name.into(), symbol, pins: Vec::new(), note: String::new() }
     }
 
-    /// The same with a port.
+    /// Adds a port.
     #[must_use]
     pub fn port(self, side: Side, name: impl Into<String>) -> Self {
         self.pin(side, name.into(), false)
     }
 
-    /// The same with a signal that it reads.
+    /// Adds a signal that it reads.
     #[must_use]
     pub fn input(self, name: impl Into<String>) -> Self {
         self.pin(Side::Left, name.into(), true)
     }
 
-    /// The same with a signal that it gives.
+    /// Adds a signal that it gives.
     #[must_use]
     pub fn output(self, name: impl Into<String>) -> Self {
         self.pin(Side::Right, name.into(), true)
     }
 
-    /// The same with an arrow into the box at its last port.
+    /// Adds an arrow into the box at its last port.
     #[must_use]
     pub fn inward(self, text: impl Into<String>) -> Self {
         self.arrow(Arrow::Inward(text.into()))
     }
 
-    /// The same with an arrow out of the box at its last port.
+    /// Adds an arrow out of the box at its last port.
     #[must_use]
     pub fn outward(self, text: impl Into<String>) -> Self {
         self.arrow(Arrow::Outward(text.into()))
     }
 
-    /// The same with a counter-clockwise turn at its last port.
+    /// Adds a counter-clockwise turn at its last port.
     #[must_use]
     pub fn turning(self, text: impl Into<String>) -> Self {
         self.arrow(Arrow::Turn(text.into()))
     }
 
-    /// The same with text below.
+    /// Sets the text below.
     #[must_use]
     pub fn noting(mut self, note: impl Into<String>) -> Self {
         self.note = note.into();

@@ -1,4 +1,4 @@
-//! What acts and what measures: springs, jacks, forces, sensors, and parts of one's own.
+//! Force elements and sensors: springs, jacks, forces, and user-defined parts.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -112,7 +112,7 @@ impl Stage<'_> {
         self.name_of(&part.name, spot.at, 9.0);
     }
 
-    /// A dashed line from the port to the letter of what is measured, away from the body.
+    /// A dashed line from the port to the letter of the measured quantity, away from the body.
     fn draw_sensor(&mut self, part: &Part, letter: &str) {
         let Some(frame) = part.frames.first() else { return };
         let (Some(spot), Some(centre)) = (self.frame(frame), self.port(frame.body, None)) else { return };

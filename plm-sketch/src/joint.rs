@@ -20,7 +20,7 @@ const BEYOND: f64 = 44.0;
 const ARC: f64 = 25.0;
 
 impl Stage<'_> {
-    /// What lies under the bodies: rails.
+    /// Draws the rails, which lie under the bodies.
     pub(super) fn draw_rails(&mut self) {
         for part in &self.sketch.mechanism.parts {
             if part.pair.as_deref() == Some("prismatic") {
@@ -104,7 +104,7 @@ impl Stage<'_> {
         }
     }
 
-    /// Where `b` is along the x axis of `a`, in pixels.
+    /// Coordinate of `b` along the x axis of `a`, in pixels.
     fn along(a: Spot, b: Spot) -> f64 {
         (b.at[0] - a.at[0]) * a.angle.cos() - (b.at[1] - a.at[1]) * a.angle.sin()
     }

@@ -6,14 +6,14 @@ use super::paper::{Paper, Point, beside};
 
 /// Half the height of a line of text, in pixels.
 const HALF_LINE: f64 = 8.0;
-/// What a text in another costs, beside a dot of a shape in it.
+/// Cost of an overlap with another text; a covered dot of a shape costs 4.
 const OF_A_TEXT: f64 = 40.0;
 /// Directions that are tried, rad, the usual ones first.
 const AROUND: [f64; 8] = [0.25, 0.75, 1.75, 1.25, 0.0, 1.0, 0.5, 1.5];
-/// What lies between a text and what it names, in pixels.
+/// Distances between a text and its object that are tried, in pixels.
 const BLANKS: [f64; 4] = [3.0, 10.0, 20.0, 32.0];
 
-/// A text that is farther from what it names has a line to it.
+/// A text that is farther from its object has a line to it.
 const NEAR: f64 = 15.0;
 
 /// A text that belongs to a place.
@@ -22,16 +22,16 @@ pub(super) struct Label {
     pub(super) text: String,
     pub(super) class: &'static str,
     pub(super) at: Point,
-    /// Radius of what it names, in pixels.
+    /// Radius of its object, in pixels.
     pub(super) reach: f64,
 }
 
-/// The box of a text.
+/// Bounding box of a text.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     middle: Point,
     half: Point,
-    /// From what is named to the box.
+    /// Line from the object to the box.
     lead: [Point; 2],
 }
 
@@ -97,7 +97,7 @@ fn best(label: &Label, taken: &[Place], shapes: &[Point], edges: [f64; 2]) -> Pl
     found.1
 }
 
-/// Which way a box lies from its point: fully to a side, or centred.
+/// Side of its point on which a box lies: 1 or -1 fully to a side, 0 centred.
 fn outward(part: f64) -> f64 {
     if part.abs() < 0.1 { 0.0 } else { part.signum() }
 }

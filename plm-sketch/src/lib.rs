@@ -62,7 +62,7 @@ pub struct Sketch {
     poses: Vec<[f64; 3]>,
     title: String,
     gravity: [f64; 2],
-    /// What is drawn in full; all if it is empty.
+    /// Names of bodies and parts that are drawn in full; all if it is empty.
     focus: BTreeSet<String>,
     /// Parts whose senses are drawn.
     signs: BTreeSet<String>,
@@ -83,35 +83,35 @@ impl Sketch {
         }
     }
 
-    /// The same under a title.
+    /// Sets the title.
     #[must_use]
     pub fn titled(mut self, title: impl Into<String>) -> Self {
         self.title = title.into();
         self
     }
 
-    /// The same with an arrow for gravity, m/s^2 along the absolute axes; none where it is zero.
+    /// Adds an arrow for gravity, m/s^2 along the absolute axes; none if it is zero.
     #[must_use]
     pub fn with_gravity(mut self, gravity: [f64; 2]) -> Self {
         self.gravity = gravity;
         self
     }
 
-    /// The same where bodies and parts of other names stand back.
+    /// Fades bodies and parts of other names.
     #[must_use]
     pub fn focused_on<'n>(mut self, names: impl IntoIterator<Item = &'n str>) -> Self {
         self.focus = names.into_iter().map(str::to_owned).collect();
         self
     }
 
-    /// The same with the positive senses of angles, displacements, forces and what is measured, of parts by name.
+    /// Adds the positive senses of angles, displacements, forces and measured quantities, of parts by name.
     #[must_use]
     pub fn with_signs<'n>(mut self, parts: impl IntoIterator<Item = &'n str>) -> Self {
         self.signs = parts.into_iter().map(str::to_owned).collect();
         self
     }
 
-    /// The same with these senses for the part of that name: those of a `force`, which are along the absolute axes without.
+    /// Sets the senses of the part of that name: those of a `force`, which are along the absolute axes without.
     #[must_use]
     pub fn with_senses(mut self, part: impl Into<String>, senses: impl IntoIterator<Item = Sense>) -> Self {
         self.senses.insert(part.into(), senses.into_iter().collect());

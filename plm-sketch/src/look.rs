@@ -4,7 +4,7 @@ use plm_view::svg::{CURVES, FONT, INK, escape};
 
 use super::paper::number;
 
-/// What is the same in light and dark.
+/// Style that is equal in light and dark.
 const LINES: &str = "\
 text{font-size:13px;text-anchor:middle;dominant-baseline:central}\
 .small{font-size:11px}.title{font-weight:bold;text-anchor:start}\
@@ -45,7 +45,7 @@ impl Colours {
         flow: "#6cc0f0",
     };
 
-    /// Bodies are links with an edge; what is not in question is `back`.
+    /// Bodies are links with an edge; faded ones are `back`.
     fn rules(&self) -> String {
         let Self { ink, soft, paper, body, pale, ground, force, flow } = self;
         format!(

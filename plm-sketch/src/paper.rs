@@ -32,7 +32,7 @@ impl Paper {
         self.path(class, points, "Z");
         if let [first, .., last] = points {
             self.remember(*last, *first);
-            // What is within is covered too.
+            // The inside is covered too.
             let middle = [0, 1].map(|k| points.iter().map(|at| at[k]).sum::<f64>() / points.len() as f64);
             for corner in
                 points.iter().step_by(if points.len() < MOST_CORNERS { 1 } else { points.len() / 8 })

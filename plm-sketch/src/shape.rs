@@ -131,7 +131,7 @@ impl Stage<'_> {
             .line(&self.class(&part.name, if shape.body.is_none() { "ground" } else { "rail" }), points);
     }
 
-    /// A circle with its centre, and a radius that turns with it.
+    /// A circle with its centre, and a radius that rotates with it.
     fn draw_circle(&mut self, part: &Part, shape: &Shape) {
         let (Some(spot), [[x, y], [radius, _]]) = (self.frame(&frame_of(shape)), &shape.points[..]) else {
             return;

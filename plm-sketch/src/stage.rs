@@ -8,7 +8,7 @@ use super::label::{self, Label};
 use super::paper::{Paper, Point, beside};
 use super::{Sketch, WIDTH, look};
 
-/// Where the mechanism may be, left and right, in pixels; on its left stand the axes.
+/// Left and right end of the room for the mechanism, in pixels; on its left stand the axes.
 const FIELD: [f64; 2] = [84.0, WIDTH - 10.0];
 /// Room around the outermost ports for signs and names.
 const ROOM: f64 = 62.0;
@@ -48,8 +48,7 @@ impl<'a> Stage<'a> {
         stage
     }
 
-    /// What must be in the picture: ports, centres of gravity, outlines; in pixels from the origin where the scale is 1, and
-    /// y upwards.
+    /// Points that must be in the picture: ports, centres of gravity, outlines; in pixels from the origin at the scale 1, and y upwards.
     fn points(&self) -> Vec<Point> {
         let mechanism = &self.sketch.mechanism;
         let mut points = Vec::new();
@@ -162,7 +161,7 @@ impl<'a> Stage<'a> {
         self.labels.push(Label { text: text.to_owned(), class, at, reach });
     }
 
-    /// The name of a part or body beside a place: what is inside of a part has the name of the part.
+    /// The name of a part or body beside a place; elements inside of a part have the name of the part.
     pub(super) fn name_of(&mut self, name: &str, at: Point, reach: f64) {
         let class = if self.is_back(name) { "given" } else { "name" };
         let is_known = name.contains('.') && self.labels.iter().any(|label| label.text == top(name));

@@ -1,4 +1,4 @@
-//! Signs of parts that lie in no plane, as they stand in boxes.
+//! Signs of parts without a place in the plane, as they stand in boxes.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use self::hydraulics::Triangle;
 use super::element::zigzag;
 use super::paper::{Paper, Point};
 
-/// What a box holds.
+/// Sign within a box.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Symbol {
     /// A zigzag over a damper.
@@ -91,7 +91,7 @@ pub enum Symbol {
     Drum,
     /// A circle with a letter.
     ElectricMotor,
-    /// Words.
+    /// A text.
     Text(String),
 }
 

@@ -1,8 +1,8 @@
 //! Many runs of a mechanism, over a list or a grid of parameter values, on all cores.
 //!
-//! Each run is by itself: what the others do, in which order and on how many threads, does not reach it, so that its result
-//! is the same to the bit. A run that fails, by a fault or by a panic, is told with its place and its parameters, and the
-//! others are kept. The book has an example (`docs/src/running/batch.md`).
+//! Runs are independent: the other runs, their order and the number of threads do not change the bits of a result. A run that fails, by a
+//! fault or by a panic, is reported with its place and its parameters, and the results of the others are unaffected. The book has an
+//! example (`docs/src/running/batch.md`).
 
 use std::any::Any;
 use std::fmt;
@@ -64,7 +64,7 @@ impl<P: Clone + Send> Points<P> {
         Self { shows_progress: false, ..self }
     }
 
-    /// Runs all points; `run` builds, starts and steps a mechanism, and gives what is worth keeping.
+    /// Runs all points; `run` builds, starts and steps a mechanism, and returns its result.
     pub fn run<T: Send>(self, run: impl Fn(P) -> Result<T, Fault> + Sync) -> Runs<P, T> {
         let Points { list, threads, stack, shows_progress } = self;
         let bar = if shows_progress { progress_bar(list.len()) } else { ProgressBar::hidden() };
@@ -103,7 +103,7 @@ pub(crate) fn progress_bar(length: usize) -> ProgressBar {
     }
 }
 
-/// Result of a run, or the words of its panic.
+/// Result of a run, or the message of its panic.
 pub(crate) fn caught<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(run)).map_err(|payload| text_of(payload.as_ref()))
 }
@@ -114,7 +114,7 @@ fn text_of(payload: &(dyn Any + Send)) -> String {
     text.or_else(|| payload.downcast_ref::<String>().cloned()).unwrap_or_default()
 }
 
-/// A run and what came of it.
+/// A run and its result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run<P, T> {
     /// Its place in the list or the grid.
@@ -132,7 +132,7 @@ pub struct Run<P, T> {
 pub enum Failure {
     /// The simulation stopped.
     Fault(Fault),
-    /// The program did, with these words. A program that is built with `panic = "abort"` ends instead.
+    /// The program panicked, with this message. A program that is built with `panic = "abort"` ends instead.
     Panic(String),
 }
 
@@ -153,7 +153,7 @@ impl fmt::Debug for Failure {
     }
 }
 
-/// All runs, in the order of the points. `Display` tells those that failed, a line each.
+/// All runs, in the order of the points. `Display` lists those that failed, a line each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Runs<P, T> {
     runs: Vec<Run<P, T>>,

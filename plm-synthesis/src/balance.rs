@@ -58,7 +58,7 @@ pub struct BalanceSpring {
 /// Spring that balances a link of a mass, kg, with its centre of gravity at a place of its frame at its pivot, m, under gravity, m/s^2: at
 /// a height over the pivot, and at a distance from the pivot, m. With the stiffness `m g s / (height arm)` the torque of the spring,
 /// `k height arm sin`, is that of the weight, `m g s sin`, at every angle from the vertical (Carwardine's anglepoise, 1932).
-/// `None` where the centre of gravity is at the pivot: nothing is to be held.
+/// `None` if the centre of gravity is at the pivot: there is no weight to balance.
 pub fn balance_spring(
     mass: f64,
     centre: Point,

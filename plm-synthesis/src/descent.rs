@@ -30,7 +30,7 @@ pub(crate) struct Effort {
 /// Effort of each start.
 const SEARCH: Effort = Effort { iterations: 40, decrease: 1e-3, weight: 1.0 };
 
-/// Efforts of each start that is kept: constraints become exact by a growing weight.
+/// Efforts of each selected start: constraints become exact by a growing weight.
 const POLISH: [Effort; 4] = [
     Effort { iterations: 500, decrease: 1e-9, weight: 1.0 },
     Effort { iterations: 300, decrease: 1e-9, weight: 1e2 },
@@ -95,7 +95,7 @@ struct Normal<const N: usize> {
     gradient: SVector<f64, N>,
 }
 
-/// What the elimination of a row's angle takes from the equations.
+/// Terms that the elimination of a row's angle subtracts from the equations.
 struct Eliminated<const N: usize> {
     along: [f64; N],
     slope: f64,

@@ -236,7 +236,7 @@ impl Solution {
         least_squares(matrix, &right).ok()
     }
 
-    /// The linkage. A negative length turns the zero of its scale by half a turn. `None` where a length is not real.
+    /// The linkage. A negative length turns the zero of its scale by half a revolution. `None` if a length is not real.
     fn generator(&self, ground: f64, pairs: &[Pair]) -> Option<Generator> {
         let [first, second, third] = self.ratios;
         let least = ENDLESS * self.ratios.iter().fold(1.0, |most: f64, ratio| most.max(ratio.abs()));

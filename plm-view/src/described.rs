@@ -1,11 +1,11 @@
-//! What a mechanism tells of itself, for a results file.
+//! Description of a mechanism for a results file.
 
 use plm_runtime::described::{self, Described, Place};
 use plm_runtime::{Rate, Scalar};
 
 use crate::results::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Shape};
 
-/// What a results file tells of a mechanism with its parameters as they are.
+/// Description of a mechanism, with the present values of its parameters, for a results file.
 pub fn mechanism<M: Described>(of: &M) -> Mechanism {
     let tables = of.tables();
     Mechanism {
@@ -21,7 +21,7 @@ pub fn mechanism<M: Described>(of: &M) -> Mechanism {
     }
 }
 
-/// A number of the tables; what is not there is none.
+/// A number of the tables; NaN if there is none.
 fn number<S: Scalar>(number: Option<S>) -> f64 {
     number.map_or(f64::NAN, Scalar::to_f64)
 }

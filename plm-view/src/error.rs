@@ -1,4 +1,4 @@
-//! What can go wrong when a file is written or read.
+//! Errors of writing or reading a file.
 
 use std::fmt;
 use std::fs::{self, File};
@@ -56,7 +56,7 @@ pub fn write_file(path: &Path, contents: io::Result<Vec<u8>>) -> Result<(), Erro
         .map_err(|source| Error { path: path.to_owned(), source })
 }
 
-/// A file that could not be read, or not as a whole; what is whole of it is given all the same.
+/// A file that could not be read, or not as a whole; its intact contents are given all the same.
 ///
 /// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
 pub struct Unread<T> {
@@ -71,17 +71,17 @@ impl<T> Unread<T> {
         &self.path
     }
 
-    /// What is missing or wrong, in sentences without their end: `0/values.npy is cut off`.
+    /// Defects of the file, as sentences without their end: `0/values.npy is cut off`.
     pub fn problems(&self) -> &[String] {
         &self.problems
     }
 
-    /// What could be read.
+    /// The contents that could be read.
     pub fn whole(&self) -> &T {
         &self.whole
     }
 
-    /// What could be read.
+    /// Becomes the contents that could be read.
     pub fn into_whole(self) -> T {
         *self.whole
     }
@@ -101,7 +101,7 @@ impl<T> fmt::Display for Unread<T> {
 
 impl<T> std::error::Error for Unread<T> {}
 
-/// Reads the file `path`, which has so many bytes at most: what is whole of it, or that with what is wrong.
+/// Reads the file `path`, which has so many bytes at most: its contents, or the intact ones with the defects.
 pub(crate) fn read_file<T: Default>(
     path: &Path,
     most: usize,

@@ -6,13 +6,13 @@ use std::process::ExitCode;
 /// A printed figure and its counterpart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// What it is, e.g. `locked xG1`.
+    /// Name, e.g. `locked xG1`.
     pub name: String,
-    /// What was computed.
+    /// Computed value.
     pub value: f64,
     /// Unit of both.
     pub unit: String,
-    /// What the publication prints.
+    /// Published value.
     pub stated: f64,
     /// How far the two may differ: the rounding or truncation of the print.
     pub tolerance: f64,

@@ -1,5 +1,5 @@
-//! Results of runs: recordings, the files that they are kept in (results files of NumPy arrays, CSV), their curves (SVG), a page
-//! that moves (HTML); figures beside the published ones.
+//! Results of runs: recordings, their files (results files of NumPy arrays, CSV), their curves (SVG), an animated page (HTML); figures
+//! beside the published ones.
 //!
 //! ```
 //! use plm_view::{Chart, Recording};
@@ -18,11 +18,11 @@
 //! # Ok::<(), plm_view::Error>(())
 //! ```
 //!
-//! A recording belongs to the caller, not to the run: when a run fails, everything that was recorded before
-//! the failure is still there to be written and looked at.
+//! A recording belongs to the caller, not to the run: when a run fails, everything that was recorded before the failure can still be
+//! written and viewed.
 //!
-//! The crate knows numbers, names and units, and of a mechanism what a results file tells. A [`Recorder`] takes that of any mechanism by
-//! its contract, `plm::Described`.
+//! The crate knows numbers, names and units, and the description of a mechanism in a results file. A [`Recorder`] takes that description of
+//! any mechanism by its contract, `plm::Described`.
 
 mod chart;
 mod described;

@@ -14,7 +14,7 @@ pub use self::sealed::Linkage;
 
 use crate::error::{Error, write_file};
 
-/// What cargo makes of a package.
+/// Kind of output that cargo builds from a package.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Output {
     /// A module of WebAssembly, small.
@@ -32,7 +32,7 @@ pub enum Output {
 pub struct Package<'a> {
     /// Its name, in letters, digits, `_` and `-`.
     pub name: &'a str,
-    /// What is made of it.
+    /// Kind of its output.
     pub output: Output,
     /// Its library.
     pub source: &'a str,
@@ -46,7 +46,7 @@ pub struct Package<'a> {
     pub bare: Option<&'a str>,
 }
 
-/// Why something was not built, in words.
+/// Reason why something was not built.
 ///
 /// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
 pub struct Unbuilt {
@@ -55,7 +55,7 @@ pub struct Unbuilt {
 }
 
 impl Unbuilt {
-    /// What was not built, and why, in words.
+    /// An error: what was not built, and why.
     pub fn new(what: &'static str, why: String) -> Self {
         Self { what, why }
     }
@@ -85,7 +85,7 @@ impl Output {
         }
     }
 
-    /// Its kind in a manifest, the level of optimisation, and what is left out.
+    /// Its kind in a manifest, the level of optimisation, and the symbols that are stripped.
     fn manifest(self) -> (&'static str, &'static str, &'static str) {
         match self {
             Self::Module => ("cdylib", "\"s\"", "true"),
@@ -100,7 +100,7 @@ impl Output {
         (self == Self::Module).then_some("wasm32-unknown-unknown")
     }
 
-    /// What tells the linker the name by which programs look for a shared library; else it would be the path at which it lay.
+    /// Option of the linker that sets the name by which programs look for a shared library; without it that is the path of the build.
     fn soname(self, name: &str) -> Vec<String> {
         let file = Self::Shared.file(name);
         let word = match (self, std::env::consts::OS) {
@@ -152,7 +152,7 @@ impl Package<'_> {
         fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
     }
 
-    /// Writes it; what is as it was keeps its time.
+    /// Writes it; an unchanged file keeps its time.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -200,7 +200,7 @@ impl Package<'_> {
     }
 }
 
-/// What a wheel needs beside plm: one for all versions of Python from 3.9.
+/// Dependency of a wheel beside plm: one wheel for all versions of Python from 3.9.
 const PYO3: &str = "pyo3 = { version = \"0.30\", features = [\"abi3-py39\"] }\n";
 
 /// The version of the package that cargo runs.
@@ -219,7 +219,7 @@ pub fn plm() -> PathBuf {
     found.unwrap_or_else(|| above.to_owned())
 }
 
-/// A program that builds; what the caller's own build was told is not for it.
+/// A program of a build; settings of the caller's own build are removed.
 pub fn command(program: OsString) -> Command {
     let mut command = Command::new(program);
     for variable in [
@@ -253,7 +253,7 @@ pub fn archive(entries: impl IntoIterator<Item = (String, Vec<u8>)>) -> std::io:
     crate::results::zipped(entries)
 }
 
-/// What cargo said, and what to do where a target is missing.
+/// Messages of cargo, or how to install a missing target.
 fn explained(said: &str, target: Option<&str>) -> String {
     let missing = said.contains("can't find crate for `core`") || said.contains("can't find crate for `std`");
     match target.filter(|_| missing) {

@@ -59,8 +59,8 @@ struct Editor {
 impl Page {
     /// A page for the bytes of a results file (`.npz`) under a title, which may hold any text.
     ///
-    /// The bytes are not looked at: what is wrong with them the page tells whoever opens it. Without bytes it waits
-    /// for a file to be opened or dropped.
+    /// The bytes are not checked: the page itself reports what is wrong with them. Without bytes it waits for a file to be opened or
+    /// dropped.
     pub fn new(results: &[u8], title: impl Into<String>) -> Self {
         Self {
             results: results.to_vec(),
@@ -71,10 +71,10 @@ impl Page {
         }
     }
 
-    /// The same page with a live mechanism: the bytes of a module of WebAssembly, as [`Module::build`] gives them.
+    /// Adds a live mechanism: the bytes of a module of WebAssembly, as [`Module::build`] gives them.
     ///
-    /// The first run of the results tells what the module computes: its mechanism, and as its columns all observed
-    /// quantities in SI. The bytes are not looked at; a module that is none, or another mechanism's, the page tells of.
+    /// The first run of the results must describe the module: its mechanism, and as its columns all observed quantities in SI. The bytes
+    /// are not checked; the page reports a module that is none, or another mechanism's.
     ///
     /// [`Module::build`]: crate::live::Module::build
     #[must_use]
@@ -83,8 +83,7 @@ impl Page {
         self
     }
 
-    /// The same page with an editor in which declarations are typed; its module makes mechanisms of texts
-    /// (`examples/playground`).
+    /// Adds an editor in which declarations are typed; its module compiles mechanisms from texts (`examples/playground`).
     ///
     /// `script` defines `plmEditor`, made of the folder `page/editor`; `module` is compressed by `xz --format=lzma`; `gallery` has
     /// names and texts to begin with, and the page opens with the first.
@@ -97,8 +96,7 @@ impl Page {
         self
     }
 
-    /// The same page with links from codes of diagnostics to their pages in the book, which stands at this address: `./` for the folder
-    /// of the page.
+    /// Adds links from codes of diagnostics to their pages in the book, which stands at this address: `./` for the folder of the page.
     #[must_use]
     pub fn with_book(mut self, address: &str) -> Self {
         address.clone_into(&mut self.book);
@@ -182,7 +180,7 @@ fn held(id: &str, text: &str) -> String {
     format!("<script type=\"text/plain\" id=\"{id}\">{text}</script>\n")
 }
 
-/// What stands before the next `{{name}}`, the name, and what stands after it.
+/// The text before the next `{{name}}`, the name, and the text after it.
 fn next_place(text: &str) -> Option<(&str, (&str, &str))> {
     let (before, from) = text.split_once("{{")?;
     Some((before, from.split_once("}}")?))
@@ -256,7 +254,7 @@ mod tests {
             + STYLE
             + &[Kind::Results, Kind::Live].map(bundle::script).concat();
         let addresses: Vec<&str> = html.split("http").skip(1).collect();
-        // The name of a vocabulary, which nobody fetches.
+        // The name of a vocabulary, which is never fetched.
         assert!(addresses.iter().all(|text| text.starts_with("://www.w3.org/2000/svg")), "{addresses:?}");
         for word in
             ["src=", "@import url", "url(//", "fetch(", "XMLHttpRequest", "WebSocket", "importScripts"]

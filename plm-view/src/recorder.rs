@@ -50,7 +50,7 @@ pub struct Recorder<M> {
 /// A row that is nearer to the end of a run than this part of the interval is there.
 const AT_END: f64 = 1e-9;
 
-/// Where a column comes from.
+/// Source of a column.
 #[derive(Clone, Copy, Debug)]
 enum Taken {
     /// The declared output with this number, in its unit.
@@ -91,7 +91,7 @@ impl<M: Described> Recorder<M> {
         Self::describing(of.as_moment().mechanism())
     }
 
-    /// The same of a mechanism that may have no start: its names, its shapes and its columns, before any row.
+    /// Describes a mechanism that may have no start: its names, its shapes and its columns, before any row.
     pub fn describing(mechanism: &M) -> Self {
         let all = by_number::shown(mechanism).zip(mechanism.observables()).enumerate();
         let (columns, quantities): (Vec<Column>, Vec<Taken>) = all
@@ -108,14 +108,14 @@ impl<M: Described> Recorder<M> {
         Self { recording, quantities, steps: false, mechanism: PhantomData }
     }
 
-    /// The same under a name, by which it is told from other runs in a file.
+    /// Sets the name, which distinguishes the run from other runs in a file.
     #[must_use]
     pub fn named(mut self, name: impl Into<String>) -> Self {
         self.recording.about.name = name.into();
         self
     }
 
-    /// The same with every internal step of the method.
+    /// Records every internal step of the method as well.
     #[must_use]
     pub fn with_steps(mut self) -> Self {
         self.steps = true;
@@ -165,7 +165,7 @@ impl<M: Described> Recorder<M> {
         self.end(sim, every, outcome)
     }
 
-    /// Runs as [`run_while`](Self::run_while) with inputs that `drive` changes on the way, as [`Sim::watch_driven`] tells; without internal
+    /// Runs as [`run_while`](Self::run_while) with inputs that `drive` changes on the way, as in [`Sim::watch_driven`]; without internal
     /// steps.
     ///
     /// # Errors
@@ -221,7 +221,7 @@ impl<M: Described> Recorder<M> {
         }
         let values = self.values(state);
         let row = Row { time: time.to_f64(), poses: &poses, ground: &ground, values: &values };
-        // What is seen for several reasons is one row.
+        // A moment that is seen for several reasons is one row.
         if !self.recording.ends_with(&row) {
             self.recording.push_row(&row);
         }
@@ -267,12 +267,12 @@ impl<M: Described> Recorder<M> {
         self.recording.push_event(time, what);
     }
 
-    /// What was recorded so far.
+    /// The recording so far.
     pub fn recording(&self) -> &Recording {
         &self.recording
     }
 
-    /// What was recorded.
+    /// Becomes the recording.
     pub fn into_recording(self) -> Recording {
         self.recording
     }
@@ -284,7 +284,7 @@ fn column(output: &Quantity) -> Column {
     Column { factor, ..Column::from((output.name, output.unit)) }
 }
 
-/// A method in words: `Dop853, relative tolerance 1e-9`.
+/// Text of a method: `Dop853, relative tolerance 1e-9`.
 fn method<M: System, I: Method<M>>(method: &I) -> String {
     match method.tolerance() {
         Some(tolerance) => format!("{}, relative tolerance {:e}", I::NAME, tolerance.to_f64()),

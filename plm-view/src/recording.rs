@@ -1,4 +1,4 @@
-//! What was recorded of a run: samples over time, and what they are samples of.
+//! Recordings of runs: samples over time, with the description of the mechanism.
 
 mod csv;
 mod table;
@@ -16,22 +16,22 @@ pub(crate) const OF_POSE: usize = 6;
 /// Numbers of a port of the ground: x, y, angle.
 pub(crate) const OF_GROUND: usize = 3;
 
-/// What one number of a row is.
+/// Quantity in a row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     /// Name as in the declaration, such as `arm.angle`.
     pub name: String,
     /// Unit of the numbers as in the declaration, such as `N*m`; empty for a pure number.
     pub unit: String,
-    /// A value in SI is one in this unit times the factor. None for SI itself, and where nobody knows.
+    /// A value in SI is one in this unit times the factor. `None` for SI itself, and if the factor is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
-    /// What its numbers are, which decides how they are drawn.
+    /// Role of its numbers, which decides how they are drawn.
     #[serde(default, skip_serializing_if = "Role::is_motion")]
     pub role: Role,
 }
 
-/// What the numbers of a column are.
+/// Role of the numbers of a column.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Role {
@@ -52,7 +52,7 @@ impl Role {
 }
 
 impl Column {
-    /// The same column with another role.
+    /// Sets the role.
     #[must_use]
     pub fn with_role(self, role: Role) -> Self {
         Self { role, ..self }
@@ -81,7 +81,7 @@ pub struct Event {
     pub row: Option<usize>,
 }
 
-/// What ended a run before its time.
+/// Fault that ended a run before its time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Fault {
     /// When, s.
@@ -89,11 +89,11 @@ pub struct Fault {
     pub time: f64,
     /// The part by its name in the declaration; empty where no single part is to blame.
     pub part: String,
-    /// What happened, in words.
+    /// Text of the cause.
     pub text: String,
 }
 
-/// What stands beside the numbers of a recording.
+/// Description of a recording beside its numbers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct About {
     /// Name of the run, such as `mass = 3 kg`; unique in a file.
@@ -103,11 +103,11 @@ pub struct About {
     /// By which method it ran.
     pub method: String,
     pub(crate) columns: Vec<Column>,
-    /// What switched, in the order of time.
+    /// Events, in the order of time.
     pub events: Vec<Event>,
-    /// What ended the run.
+    /// Fault that ended the run.
     pub fault: Option<Fault>,
-    /// What the user should know although the run went on, in words.
+    /// Notices to the user that did not end the run.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notices: Vec<String>,
 }
@@ -129,7 +129,7 @@ pub struct Row<'a> {
 /// bodies.
 #[derive(Clone, Debug, Default)]
 pub struct Recording {
-    /// What was recorded, and what happened.
+    /// Description of the recording, with events and faults.
     pub about: About,
     times: Vec<f64>,
     values: Table,
@@ -175,8 +175,8 @@ impl Recording {
 
     /// Adds the sample `row`, an array or a slice in the units of the columns, taken at `time` (s).
     ///
-    /// Every number is kept, NaN and infinities too: they show where a run went wrong. A row is to have a number for each
-    /// column; of one that has not, gaps are left and what is too much is not kept, and to write the recording is an error.
+    /// Every number is stored, NaN and infinities too: they show where a run went wrong. A row should have a number for each column;
+    /// missing numbers are recorded as gaps, surplus ones are dropped, and writing the recording is an error then.
     pub fn push(&mut self, time: f64, row: impl AsRef<[f64]>) {
         self.push_row(&Row { time, values: row.as_ref(), ..Row::default() });
     }
@@ -207,7 +207,7 @@ impl Recording {
             && same(self.ground.row(last), row.ground)
     }
 
-    /// Adds something that switched; the row that is pushed next is the first after it.
+    /// Adds an event; the row that is pushed next is the first after it.
     pub fn push_event(&mut self, time: f64, what: impl Into<String>) {
         self.about.events.push(Event { time, what: what.into(), row: None });
     }
@@ -247,7 +247,7 @@ impl Recording {
         self.times.len()
     }
 
-    /// Whether nothing was recorded.
+    /// True if nothing was recorded.
     pub fn is_empty(&self) -> bool {
         self.times.is_empty()
     }

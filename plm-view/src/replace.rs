@@ -32,7 +32,7 @@ pub fn replace_file(path: &Path, contents: &[u8]) -> io::Result<()> {
     let done = whole(file, contents, present.map(|present| present.permissions()))
         .and_then(|()| fs::rename(&part, &target));
     if done.is_err() {
-        // The first error is the one to tell.
+        // The first error is reported.
         let _ = fs::remove_file(&part);
     }
     done
@@ -56,7 +56,7 @@ fn part_beside(target: &Path) -> io::Result<(PathBuf, File)> {
     }
 }
 
-/// Writes a file until it is on the disk: some file systems tell only then that it is full.
+/// Writes a file until it is on the disk: some file systems report only then that they are full.
 fn whole(mut file: File, contents: &[u8], permissions: Option<fs::Permissions>) -> io::Result<()> {
     file.write_all(contents)?;
     if let Some(permissions) = permissions {

@@ -183,7 +183,7 @@ impl System<'_> {
         Ok(Regulator { gains, cost: x, inputs, poles, basis: self.basis.clone(), point: self.point.to_vec() })
     }
 
-    /// The same equation, transposed.
+    /// Kalman filter by duality: the Riccati equation of a regulator with A^T in the place of A and C^T in that of B.
     fn estimator(&self, inputs: &[(&str, f64)], outputs: &[(&str, f64)]) -> Result<Estimator, NoGain> {
         let (outputs, inputs) = (self.named_outputs(outputs)?, self.named_inputs(inputs)?);
         positive(&outputs, |k| self.outputs[k].0)?;

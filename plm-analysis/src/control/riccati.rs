@@ -10,7 +10,7 @@ const DOUBLINGS: usize = 60;
 /// Steps of Newton's method after them; two are usual.
 const POLISHED: usize = 6;
 
-/// What is to become small: the sum, or the integral, of x^T Q x + 2 x^T N u + u^T R u.
+/// Quadratic cost to be minimised: the sum, or the integral, of x^T Q x + 2 x^T N u + u^T R u.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
     /// Of the state, positive semidefinite.

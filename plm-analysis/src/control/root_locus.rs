@@ -59,7 +59,7 @@ impl RootLocus {
         }
     }
 
-    /// Where a straight line through the last two poles of a branch goes.
+    /// Pole of a branch at a value, extrapolated on a straight line through the last two; the last one if it is the only one.
     fn expected(&self, branch: &[Complex<f64>], value: f64) -> Complex<f64> {
         let n = self.values.len();
         let [Some(last), before] = [branch.last(), n.checked_sub(2).and_then(|k| branch.get(k))] else {

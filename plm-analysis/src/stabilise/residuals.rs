@@ -34,7 +34,7 @@ pub(super) struct Rows<T> {
 pub(super) struct Setting<M: Statics> {
     /// s.
     pub(super) time: f64,
-    /// Where the inputs are taken from, if not from the declaration.
+    /// Inputs; `None` takes those of the declaration.
     pub(super) inputs: Option<M::U>,
 }
 

@@ -19,7 +19,7 @@ pub(super) enum Begin {
 const LATE: f64 = 10.0;
 
 impl Begin {
-    /// What `--from` says; none where readings and run have one clock.
+    /// The value of `--from`; `None` if readings and run have one clock.
     pub(super) fn asked(words: &mut Words) -> Result<Option<Begin>, Failure> {
         let Some(text) = words.value("--from") else { return Ok(None) };
         if text == "first" {

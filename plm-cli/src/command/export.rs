@@ -70,7 +70,7 @@ enum Wanted {
     Link(String),
 }
 
-/// The words of the command.
+/// Parsed arguments of the command.
 struct Asked {
     wanted: Wanted,
     name: Option<String>,

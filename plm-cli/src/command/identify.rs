@@ -133,7 +133,7 @@ fn problem(
     Ok(problem)
 }
 
-/// Identifies, and writes what is asked for.
+/// Identifies, and writes the requested files.
 fn found<D: Integration<Small>>(
     asked: &Asked,
     problem: &Identification<Small>,
@@ -160,17 +160,17 @@ fn found<D: Integration<Small>>(
     Ok(if notices.is_empty() { Outcome::Good } else { Outcome::Doubtful })
 }
 
-/// A search is told of once it takes longer, and no more often.
+/// Progress is reported after this duration, and no more often.
 const LONG: Duration = Duration::from_secs(3);
 
-/// What is told of a long search while it goes on. It has a thread of its own, and stands beside the results.
+/// Observer that reports the progress of a long search on the terminal, on standard error.
 fn progress() -> impl Fn(&Progress) + Send + Sync + 'static {
     let told = Mutex::new(Instant::now());
     move |progress| {
         let Ok(mut told) = told.lock() else { return };
         if told.elapsed() >= LONG && std::io::stderr().is_terminal() {
             *told = Instant::now();
-            // Where messages cannot be written there is no place to say so.
+            // If messages cannot be written, there is no place to report it.
             let _ = writeln!(std::io::stderr(), "plm: {progress}");
         }
     }
@@ -197,7 +197,7 @@ fn declaration(
     write_whole(path, text.as_bytes(), streams.output)
 }
 
-/// Tells of a column that is none of the mechanism how it is left out.
+/// Adds to the error of an unknown column how it is left out.
 fn explained(asked: &Asked, error: Error) -> Failure {
     match &error {
         Error::Unknown { what: "output", .. } if asked.only.is_empty() => {

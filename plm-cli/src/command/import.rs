@@ -53,7 +53,7 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     Ok(if is_drawing || is_right(&text, streams)? { Outcome::Good } else { Outcome::Wrong })
 }
 
-/// What of a drawing is asked for.
+/// Selection of the parts of a drawing.
 fn selection(words: &mut Words) -> Result<Selection, Failure> {
     let mut selection = Selection { layers: words.values("--layer"), ..Selection::default() };
     if let Some(text) = words.value("--part") {

@@ -37,9 +37,9 @@ pub enum Outcome {
     Good,
     /// A declaration has errors, a file has another layout, or a run ends with a fault: 1.
     Wrong,
-    /// The words are no command, or a file cannot be read: 2.
+    /// The arguments are no command, or a file cannot be read: 2.
     Failed,
-    /// The command has its result, of which something is to be looked at before it is used: 3.
+    /// The command has its result, with notices to be checked before it is used: 3.
     Doubtful,
 }
 
@@ -55,11 +55,11 @@ type Failure = Box<dyn std::error::Error>;
 /// A command.
 struct Command {
     name: &'static str,
-    /// Words after its name.
+    /// Arguments after its name.
     usage: &'static str,
     /// Its purpose, in a line.
     title: &'static str,
-    /// Its options, a line each; after a blank what stands in the place of a value.
+    /// Its options, a line each; after a blank the placeholder of a value.
     options: &'static [(&'static str, &'static str)],
     run: fn(Words, &mut Streams) -> Result<Outcome, Failure>,
 }
@@ -80,17 +80,17 @@ const COMMANDS: &[Command] = &[
     lsp::COMMAND,
 ];
 
-/// Runs the command that the words name, without the name of the program.
+/// Runs the command that the arguments name, without the name of the program.
 pub fn run(words: impl Iterator<Item = OsString>, streams: &mut Streams) -> Outcome {
     let outcome = Words::new(words, kind_of).and_then(|words| dispatch(words, streams));
     outcome.unwrap_or_else(|failure| {
-        // Whoever reads the results may stop reading them, as `head` does.
+        // A reader may close the results early, as `head` does.
         let is_closed =
             failure.downcast_ref::<io::Error>().is_some_and(|why| why.kind() == io::ErrorKind::BrokenPipe);
         if is_closed {
             return Outcome::Good;
         }
-        // Where messages cannot be written there is no place to say so.
+        // If messages cannot be written, there is no place to report it.
         let _ = writeln!(streams.errors, "plm: {failure}");
         Outcome::Failed
     })

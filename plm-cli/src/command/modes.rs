@@ -90,7 +90,7 @@ fn table(system: &Linearisation) -> String {
         let lambda = mode.eigenvalue;
         let imaginary = if lambda.im > 0.0 { format!(" +- {:.5e}i", lambda.im) } else { String::new() };
         let eigenvalue = format!("{:.5e}{imaginary}", lambda.re);
-        // What is rounded to zero has no sign.
+        // A number that is rounded to zero has no sign.
         let damping = if mode.damping.abs() < 5e-5 { 0.0 } else { mode.damping };
         format!(
             "{:>4}  {:>17.6e}  {:>14.6e}  {damping:>7.4}   {eigenvalue:<25}  {}\n",

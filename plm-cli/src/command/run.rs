@@ -175,7 +175,7 @@ pub(super) fn setting<'a, 'b>(
     Ok((name, declared_value(given, own.si, own.factor).map_err(|why| format!("{option} {name}: {why}"))?))
 }
 
-/// Tells why there is no run. What cannot be assembled is told as the compiler tells it.
+/// Reports why there is no run. A start that cannot be assembled gets the compiler's diagnostics.
 fn not_started(
     asked: &Asked,
     file: &File,
@@ -195,7 +195,7 @@ fn not_started(
     }
 }
 
-/// Tells why there is no run, or why it has ended.
+/// Reports why there is no run, or why it has ended.
 pub(super) fn refused(failure: Failure, streams: &mut Streams) -> Result<Outcome, Failure> {
     match failure.downcast_ref::<Error>() {
         Some(Error::Refused(Refused::Bug(what))) => return Err(bug_message(what).into()),

@@ -1,4 +1,4 @@
-//! Words of a command line: options and files.
+//! Arguments of a command line: options and files.
 
 use std::collections::VecDeque;
 use std::ffi::OsString;
@@ -15,7 +15,7 @@ pub(super) enum Kind {
     Unknown,
 }
 
-/// The words, options apart from files; after `--` all words are files.
+/// The arguments, options apart from files; after `--` all arguments are files.
 pub(super) struct Words {
     /// Options with their values.
     options: Vec<(String, Option<String>)>,
@@ -23,7 +23,7 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// The words; `kind_of` gives the kind of an option.
+    /// Parses the arguments; `kind_of` gives the kind of an option.
     pub(super) fn new(
         words: impl Iterator<Item = OsString>,
         kind_of: impl Fn(&str) -> Kind,
@@ -38,7 +38,7 @@ impl Words {
                     let value = match kind_of(&name) {
                         Kind::Valued(wanted) => Some(value(&name, wanted, &mut parser)?),
                         Kind::Bare => None,
-                        // It is told later, when the command is known.
+                        // It is reported later, when the command is known.
                         Kind::Unknown => parser.optional_value().map(text).transpose()?,
                     };
                     options.push((name, value));
@@ -49,7 +49,7 @@ impl Words {
         Ok(Words { options, files })
     }
 
-    /// The next word, as the name of a command.
+    /// The next argument, as the name of a command.
     pub(super) fn command(&mut self) -> Result<Option<String>, Failure> {
         if self.files.is_empty() && self.asks_for_help() {
             return Ok(Some("help".to_owned()));
@@ -65,7 +65,7 @@ impl Words {
         Ok(self.files.pop_front())
     }
 
-    /// The next word that is no option.
+    /// The next argument that is no option.
     pub(super) fn word(&mut self) -> Option<String> {
         self.files.pop_front()
     }
@@ -131,7 +131,7 @@ impl Words {
     }
 }
 
-/// What stands after an option, and is no option.
+/// Value after an option, which must not be an option.
 fn value(option: &str, wanted: &str, parser: &mut Parser) -> Result<String, Failure> {
     if let Some(value) = parser.optional_value() {
         return text(value);

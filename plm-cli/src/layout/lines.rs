@@ -7,7 +7,7 @@ const LEVEL: usize = 4;
 /// Blanks between the longest line and the comments after neighbouring lines; after a line alone there is one.
 const BEFORE_COMMENTS: usize = 4;
 
-/// What is open: the text, or a bracket.
+/// An open bracket, or the whole text.
 struct Frame {
     /// Indentation of elements: items of a block, arguments in brackets.
     inside: usize,

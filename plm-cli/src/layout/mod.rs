@@ -78,7 +78,7 @@ fn laid_out(text: &str, range: Range<usize>, indent: usize) -> Result<String, St
     }
 }
 
-/// Whether an item that ended with `}` goes on here, with `else` or `;` after comments.
+/// True for each unit at which an item that ended with `}` goes on, with `else` or `;` after comments.
 fn goes_on(text: &str, units: &[spacing::Unit]) -> Vec<bool> {
     let (mut goes_on, mut all) = (false, Vec::new());
     for unit in units.iter().rev() {
@@ -97,7 +97,7 @@ fn same(one: &str, other: &str) -> bool {
     texts(one) == texts(other)
 }
 
-/// Where a bracket stands without its partner.
+/// Position of a bracket without its partner.
 fn unpaired(text: &str, all: &[Token]) -> Option<usize> {
     let mut open: Vec<(char, usize)> = Vec::new();
     for token in all.iter().filter(|token| token.kind == Kind::Mark) {

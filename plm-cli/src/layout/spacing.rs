@@ -33,11 +33,11 @@ pub(super) fn units(text: &str, tokens: &[Token]) -> Vec<Unit> {
     units
 }
 
-/// Words that begin an operand, so that a `-` after them is a sign and a `(` stands apart.
+/// Keywords that begin an operand, so that a `-` after them is a sign and a `(` stands apart.
 const IN_FRONT: [&str; 5] = ["given", "if", "not", "output", "when"];
-/// Words that stand between operands. Where an operand is expected they are names.
+/// Keywords that stand between operands. Where an operand is expected they are names.
 const BETWEEN: [&str; 10] = ["and", "at", "else", "for", "from", "in", "on", "or", "then", "within"];
-/// Those of them that name parts as well: what a `(` after them is, the blank tells.
+/// Those of them that name parts as well: the blank decides the meaning of a `(` after them.
 const NAMES_TOO: [&str; 5] = ["at", "for", "from", "on", "output"];
 
 /// Place of a unit among its neighbours.
@@ -48,7 +48,7 @@ enum Role {
     Begin,
     /// It ends an operand: a name, a number, `)`.
     Operand,
-    /// A word that an operand follows.
+    /// A keyword that an operand follows.
     Word,
     /// `(` or `[`.
     Open,
@@ -62,9 +62,9 @@ enum Role {
     Tight,
     /// `+`, `=`, `<`: with blanks.
     Loose,
-    /// A sign, or what else touches the operand after it.
+    /// A sign, or another mark that touches the operand after it.
     Prefix,
-    /// What has no place in the language: the blank stays as it was.
+    /// A unit without a place in the language: the blank stays as it was.
     Other,
 }
 
@@ -72,16 +72,17 @@ enum Role {
 #[derive(Debug, Default)]
 pub(super) struct Spacing {
     before: Role,
-    /// Was there the word `in`? Then a range is one of numbers, `0..8`, and no bound.
+    /// Was there the keyword `in`? Then a range is one of numbers, `0..8`, and no bound.
     counts: bool,
     /// The `}` before begins its line.
     begins_line: bool,
-    /// The word before may be a name.
+    /// The keyword before may be a name.
     may_be_name: bool,
 }
 
 impl Spacing {
-    /// Is there a blank before a unit? `was_apart` tells of the text, `begins_line` whether it is a bracket at the beginning of a line.
+    /// Is there a blank before a unit? `was_apart` is true if the text has one, `begins_line` if it is a bracket at the beginning of a
+    /// line.
     pub(super) fn take(&mut self, text: &str, unit: &Unit, was_apart: bool, begins_line: bool) -> bool {
         let word = unit.text(text);
         if unit.kind.is_comment() {

@@ -37,13 +37,13 @@ const SNIPPETS: [(&str, &str); 4] = [
     ("repeat", "repeat ${1:i} in 0..${2:8} {\n    $0\n}"),
 ];
 
-/// A word that may stand there.
+/// A completion.
 struct Choice {
     label: String,
     sort: Sort,
     detail: String,
     docs: String,
-    /// What is inserted where an editor takes places to fill in.
+    /// Text that is inserted if an editor supports snippets.
     snippet: Option<String>,
 }
 
@@ -51,13 +51,13 @@ fn choice(label: &str, sort: Sort, detail: &str, docs: &str) -> Choice {
     Choice { label: label.to_owned(), sort, detail: detail.to_owned(), docs: docs.to_owned(), snippet: None }
 }
 
-/// The words that may stand at a place, in the order of what is likely there; as snippets where the editor takes such.
+/// The completions at a place, the likely ones first; as snippets if the editor supports them.
 pub(super) fn completion(document: &Document, at: usize, with_snippets: bool) -> Vec<Value> {
     let choices = document.declaration(at).and_then(|declaration| choices(document, declaration, at));
     let shown = choices.into_iter().flatten().enumerate().map(|(place, of)| {
         let mut shown = json!({
             "label": of.label, "kind": of.sort as u8, "detail": of.detail, "documentation": of.docs,
-            // An editor sorts by letters where nothing says otherwise.
+            // An editor sorts by letters by default.
             "sortText": format!("{place:04}"),
         });
         if let Some(snippet) = of.snippet.filter(|_| with_snippets) {
@@ -73,7 +73,7 @@ fn choices(document: &Document, declaration: &Declaration, at: usize) -> Option<
     let text = &document.text;
     let mut before = tokens_around(text, &declaration.excerpt.range, at)?;
     before.retain(|token| token.range.start < at);
-    // The word that is being typed.
+    // The name that is being typed.
     before.pop_if(|token| token.kind == TokenKind::Word && token.range.end >= at);
     let names = &declaration.names;
     let Some(last) = before.last() else { return Some(items(names)) };
@@ -122,7 +122,7 @@ fn of_units() -> Vec<Choice> {
 
 /// After a dot.
 fn members(text: &str, before: &[Token], names: &Names, at: usize) -> Vec<Choice> {
-    // The dot, and after it an empty word.
+    // The dot, and after it an empty name.
     let Some(end) = before.len().checked_sub(2) else { return Vec::new() };
     let first = if before[end].kind == TokenKind::Word {
         begin(text, before, end)
@@ -192,7 +192,7 @@ fn of_part(names: &Names, part: &Part, path: &[String], roles: &[Role]) -> Vec<C
     members.map(|member| choice(&member.name, Sort::Field, &member.written, &member.docs)).collect()
 }
 
-/// Where an item begins.
+/// Completions at the beginning of an item.
 fn beginnings(text: &str, before: &[Token], names: &Names, at: usize) -> Vec<Choice> {
     let Some(head) = block(text, before) else { return items(names) };
     let words: Vec<&str> = head.iter().map(|token| token.text(text)).collect();
@@ -212,7 +212,7 @@ fn beginnings(text: &str, before: &[Token], names: &Names, at: usize) -> Vec<Cho
     }
 }
 
-/// The words in front of the bracket that is open, up to the item before.
+/// The tokens in front of the bracket that is open, up to the item before.
 fn block<'a>(text: &str, before: &'a [Token]) -> Option<&'a [Token]> {
     let mut depth = 0_i32;
     let open = before.iter().rposition(|token| {
@@ -225,7 +225,7 @@ fn block<'a>(text: &str, before: &'a [Token]) -> Option<&'a [Token]> {
     Some(&head[start..])
 }
 
-/// Words that begin an item, and the parts.
+/// Keywords that begin an item, and the parts.
 fn items(names: &Names) -> Vec<Choice> {
     let mut all = of_words(&words::items(), Sort::Keyword);
     for item in &mut all {
@@ -265,7 +265,7 @@ fn first_line(text: &str) -> &str {
     text.lines().next().and_then(|line| line.strip_prefix("/// ")).unwrap_or_default()
 }
 
-/// Where an expression, or the name of a port, goes on.
+/// Completions within an expression, or for the name of a port.
 fn expression(names: &Names, at: usize) -> Vec<Choice> {
     let visible = names.all.iter().filter(|name| name.owner.is_none() && name.scope.contains(&at));
     let mut all: Vec<Choice> = visible

@@ -63,7 +63,7 @@ impl Document {
         self.declarations.iter().find(|of| of.excerpt.range.contains(&at) || of.excerpt.range.end == at)
     }
 
-    /// Compiles all declarations; what is wrong comes as the protocol has it.
+    /// Compiles all declarations; returns the diagnostics in the form of the protocol.
     pub(super) fn check(&mut self) -> Vec<Value> {
         let mut problems = Vec::new();
         for declaration in &self.declarations {
@@ -77,7 +77,7 @@ impl Document {
         self.problems.iter().map(|problem| problem.shown.clone()).collect()
     }
 
-    /// Where a span of the declaration stands in the text.
+    /// Range in the text of a span of the declaration.
     fn range(&self, span: plm_compiler::span::Span, sources: &Sources) -> Option<Range<usize>> {
         let source = sources.get(span.source).filter(|_| span.source == 0)?;
         Some(as_declared(source.file()?, &self.text, source.range(span)?))

@@ -1,4 +1,4 @@
-//! Meanings of words: what a hover shows, and where a name is declared.
+//! Meanings of names and keywords: contents of a hover, and places of declarations.
 
 use std::ops::Range;
 
@@ -28,7 +28,7 @@ const MEMBERS: [(&str, &str); 15] = [
     ("body", "The body of the frame."),
 ];
 
-/// What a word stands for.
+/// Meaning of a name or a keyword.
 #[derive(Debug)]
 pub(super) enum Meaning<'a> {
     /// A name of the declaration.
@@ -43,7 +43,7 @@ pub(super) enum Meaning<'a> {
     Word(String),
 }
 
-/// The meaning of the word at a place, and the word.
+/// The meaning of the name or keyword at a place, with the token.
 pub(super) fn meaning(document: &Document, at: usize) -> Option<(Meaning<'_>, Word, &Declaration)> {
     let declaration = document.declaration(at)?;
     let word = word(&document.text, &declaration.excerpt.range, at)?;
@@ -100,7 +100,7 @@ fn of_frame<'a>(member: &str) -> Option<Meaning<'a>> {
     MEMBERS.iter().find(|(name, _)| *name == member).map(|(_, says)| Meaning::MemberOfFrame(says))
 }
 
-/// A word that stands alone and is no name of the declaration.
+/// A name or keyword that stands alone and is no name of the declaration.
 fn of_word<'a>(declaration: &Declaration, word: &str) -> Option<Meaning<'a>> {
     if let Some(part) = declaration.names.part(word) {
         return Some(Meaning::Part(part));

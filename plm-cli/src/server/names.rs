@@ -38,9 +38,9 @@ pub(super) struct Name {
     pub(super) kind: Kind,
     /// The body of a port, or `ground`.
     pub(super) owner: Option<String>,
-    /// Where its name stands.
+    /// Range of its name.
     pub(super) place: Range<usize>,
-    /// Where it can be read.
+    /// Range in which it can be read.
     pub(super) scope: Range<usize>,
     /// All of its item.
     pub(super) item: Range<usize>,

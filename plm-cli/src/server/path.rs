@@ -1,17 +1,17 @@
-//! The word at a place, with the path that leads to it: `arm.tip.position`.
+//! The name at a place, with the path that leads to it: `arm.tip.position`.
 
 use std::ops::Range;
 
 use crate::lexer::{Kind, Token, tokens};
 
-/// A word in a text.
+/// A name in a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Word {
-    /// The words of its path up to it, without indices.
+    /// The names of its path up to it, without indices.
     pub(super) path: Vec<String>,
-    /// The same with indices, as it is written: `bar[3].a`.
+    /// The path with indices, as it is written: `bar[3].a`.
     pub(super) written: String,
-    /// Where it stands.
+    /// Its range in the text.
     pub(super) range: Range<usize>,
     /// Does a `:` follow? Then it may be the parameter of a part.
     pub(super) is_field: bool,
@@ -38,7 +38,7 @@ pub(super) fn tokens_around(text: &str, declaration: &Range<usize>, at: usize) -
     Some(all.into_iter().filter(|token| !token.kind.is_comment()).collect())
 }
 
-/// The word at a place, or that ends there.
+/// The name at a place, or that ends there.
 pub(super) fn word(text: &str, declaration: &Range<usize>, at: usize) -> Option<Word> {
     let all = tokens_around(text, declaration, at)?;
     let index = all.iter().position(|token| token.range.start <= at && at < token.range.end);
@@ -72,7 +72,7 @@ pub(super) fn begin(text: &str, all: &[Token], end: usize) -> usize {
     }
 }
 
-/// The words of a path, without what stands in brackets.
+/// The names of a path, without the contents of brackets.
 pub(super) fn path(text: &str, tokens: &[Token]) -> Vec<String> {
     let mut depth = 0_i32;
     let mut words = Vec::new();

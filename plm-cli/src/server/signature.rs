@@ -1,4 +1,4 @@
-//! What the brackets that are open at a place take: the ports of a part.
+//! Arguments within the brackets that are open at a place: the ports of a part.
 
 use serde_json::{Value, json};
 

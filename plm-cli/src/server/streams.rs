@@ -28,7 +28,7 @@ pub(crate) fn serve() -> Result<(), Box<dyn Error + Send + Sync>> {
         while let Some(message) = read(&mut input)? {
             let is_last =
                 matches!(&message, Message::Notification(Notification { method, .. }) if method == "exit");
-            // Nobody hears a message after the end.
+            // After the end there is no receiver of a message.
             if to_server.send(message).is_err() || is_last {
                 break;
             }
@@ -50,7 +50,7 @@ pub(crate) fn serve() -> Result<(), Box<dyn Error + Send + Sync>> {
     Ok(())
 }
 
-/// The next message; none where the stream ends. What is no message is answered here.
+/// The next message; `None` if the stream ends. Malformed messages are answered here.
 fn read(input: &mut impl BufRead) -> io::Result<Option<Message>> {
     loop {
         let Some(text) = frame(input)? else { return Ok(None) };

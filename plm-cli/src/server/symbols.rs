@@ -79,7 +79,7 @@ fn symbol(
     })
 }
 
-/// The name of a mechanism and its place: the last word in front of its items.
+/// The name of a mechanism and its place: the last name in front of its items.
 fn title(text: &str, declaration: &Range<usize>) -> (String, Range<usize>) {
     let part = text.get(declaration.clone()).unwrap_or_default();
     let before = tokens(part).into_iter().take_while(|token| !token.is_mark(part, '{'));

@@ -1,4 +1,4 @@
-//! Where a name is used: references, and another name for it.
+//! Uses of a name: references, and renaming.
 
 use std::ops::Range;
 
@@ -23,7 +23,7 @@ pub(super) fn references(document: &Document, at: usize, with_declaration: bool)
     )
 }
 
-/// What can be called otherwise at a place: its range.
+/// Range of the name at a place, if it can be renamed.
 pub(super) fn renamed(document: &Document, at: usize) -> Option<Value> {
     let (_, places) = places(document, at)?;
     let here = places.iter().find(|place| place.start <= at && at <= place.end)?;
@@ -52,7 +52,7 @@ pub(super) fn rename(document: &Document, at: Option<usize>, name: &str) -> Resu
     Ok(json!({ "changes": { &document.uri: edits } }))
 }
 
-/// Where the name at a place is declared, and all places that mean it.
+/// Range of the declaration of the name at a place, and of all its uses.
 fn places(document: &Document, at: usize) -> Option<(Range<usize>, Vec<Range<usize>>)> {
     let declaration = document.declaration(at)?;
     let is_declared = |name: &&Name| name.place.start <= at && at <= name.place.end;

@@ -41,7 +41,7 @@ impl<
         contacts.is_some_and(|contacts| contacts.lowered.read == ReadByConditions::Multipliers)
     }
 
-    /// Functions of the rows in the chart that is held.
+    /// Functions of the rows in the present chart.
     pub(super) fn contact_functions(&self, u: &Held<S, NQ, L, H, R>) -> Option<&'static InChart> {
         let chart = match u.of_loops {
             OfLoops::InChart { chart, .. } if self.is_charted() => chart,
@@ -51,7 +51,7 @@ impl<
         self.model.contacts.as_ref()?.charts.get(chart)
     }
 
-    /// The rate with the contact forces of the modes that are held.
+    /// The rate with the contact forces of the present modes.
     pub(super) fn rate_with_contact(
         &self,
         t: S,
@@ -153,7 +153,8 @@ impl<
         contact::sum_of(&free.responses, lambda)
     }
 
-    /// Kinds of the reactions that bound frictions, and of which frictions; the sign of one along a line is held.
+    /// Kinds of the reactions that bound frictions, and the frictions that each bounds; the sign of one along a line is part of the
+    /// discrete state.
     fn put_loads(&self, u: &Held<S, NQ, L, H, R>, loads: &mut [Load; R], read: &mut [[bool; R]; R]) {
         let Some(contacts) = &self.model.contacts else { return };
         let negative = &u.contact.modes.negative;

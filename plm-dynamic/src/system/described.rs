@@ -1,4 +1,4 @@
-//! Names, numbers and outputs by number, for whoever draws, records or sets a mechanism.
+//! Names, numbers and outputs by number, for drawing, recording and setting a mechanism.
 
 use plm_runtime::described::{Described, Hole, Shape, Tables, nearest};
 use plm_runtime::{BodyState, Moment, Ports, Real, Switched};

@@ -161,7 +161,8 @@ impl<
         Ok((held, x))
     }
 
-    /// Sets what is set as a run begins, and takes the sides of conditions that apply there. Events that follow conditions do not happen.
+    /// Performs the assignments at the start of a run, and takes the sides of conditions that apply there. Events that follow conditions do
+    /// not happen.
     fn begin_sides(&self, t: S, held: &mut Held<S, NQ, L, H, R>, x: &mut [S; N]) -> Result<(), Fault> {
         let switches = &self.model.lowered.switches;
         // Contacts have their modes when all conditions have their sides, which gaps may read, and all constraints that hold are closed.

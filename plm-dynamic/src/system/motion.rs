@@ -104,7 +104,7 @@ impl<
     const P: usize,
 > Dynamic<S, NQ, NC, N, L, H, R, P>
 {
-    /// The rate with the multipliers of contact that are held.
+    /// The rate with the multipliers of contact in the discrete state.
     pub(super) fn rate_holding(
         &self,
         t: S,
@@ -138,7 +138,7 @@ impl<
         rate.whole(F::NAME, || whole_step::<F, NQ, N>(self.model, rate))
     }
 
-    /// The function of the rate in the coordinates that are held; none of loops without a chart.
+    /// The function of the rate in the present coordinates; `None` for loops without a chart.
     #[inline]
     fn rate_code(&self, u: &Held<S, NQ, L, H, R>) -> Option<&'static Code> {
         let chart = match self.model.lowered.form {

@@ -79,7 +79,7 @@ impl<
     const P: usize,
 > State<S, NQ, NC, N, L, H, R, P>
 {
-    /// Pose and velocity of every body, without whole turns.
+    /// Pose and velocity of every body, without whole revolutions.
     pub(crate) fn pose(&self) -> ([S; NQ], [S; NQ]) {
         match self.mechanism.model.lowered.form {
             Form::Absolute => absolute::split(&self.x),
@@ -87,7 +87,7 @@ impl<
         }
     }
 
-    /// The state in absolute coordinates, without whole turns.
+    /// The state in absolute coordinates, without whole revolutions.
     pub(crate) fn absolute(&self) -> [S; N] {
         match self.mechanism.model.lowered.form {
             Form::Absolute => self.x,
@@ -95,7 +95,7 @@ impl<
         }
     }
 
-    /// Pose and velocity of every body, with whole turns.
+    /// Pose and velocity of every body, including whole revolutions.
     pub(crate) fn unwrapped_pose(&self) -> ([S; NQ], [S; NQ]) {
         let (mut q, v) = self.pose();
         turns::add(&self.held.turns, &mut q, &self.mechanism.turning());
@@ -167,7 +167,7 @@ impl<
         (a, lambda)
     }
 
-    /// What is held, with the multipliers of contact.
+    /// The discrete state, with the multipliers of contact.
     fn loaded(&self) -> Held<S, NQ, L, H, R> {
         self.mechanism.loaded(self.time, &self.held, &self.x)
     }

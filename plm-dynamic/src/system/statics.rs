@@ -173,7 +173,7 @@ impl<
     const P: usize,
 > State<S, NQ, NC, N, L, H, R, P>
 {
-    /// The state in absolute coordinates with all turns, unused room at the end.
+    /// The state in absolute coordinates including all revolutions, unused room at the end.
     fn unwrapped(&self) -> [S; N] {
         let (mechanism, mut x) = (plm_runtime::Moment::mechanism(self), self.absolute());
         turns::add(&plm_runtime::Moment::held(self).turns, &mut x, &mechanism.turning());

@@ -22,7 +22,7 @@ impl<
     const P: usize,
 > Dynamic<S, NQ, NC, N, L, H, R, P>
 {
-    /// Writes guards, then kinks, where multipliers that conditions read are held.
+    /// Writes guards, then kinks, with the multipliers that conditions read taken from the discrete state.
     fn watch_holding(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N], all: &mut [S]) {
         if self.model.lowered.switches.read_solution {
             let state = State::new(*self, *u, t, *x);

@@ -60,7 +60,7 @@ pub unsafe fn linearise<M: Foreign, R: Run<M>>(
     unsafe { with(block, work) }
 }
 
-/// Writes numbers to room of the caller for exactly as many; what is there may have no value yet.
+/// Writes numbers to room of the caller for exactly as many; the room may be uninitialised.
 ///
 /// # Safety
 /// `place` is null or at room of the caller for `count` numbers.

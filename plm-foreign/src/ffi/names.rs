@@ -5,7 +5,7 @@ use core::ffi::{CStr, c_char};
 use super::put;
 use crate::{Foreign, Kind, Status};
 
-/// The words of a status; of a number that is none the empty text.
+/// The text of a status; empty for a number that is none.
 pub fn status_text(status: i32) -> *const c_char {
     let words = Status::ALL.into_iter().find(|own| *own as i32 == status).map(|status| status.words().1);
     words.unwrap_or(c"").as_ptr()

@@ -19,11 +19,11 @@ use super::{Exchanged, Variable, Version};
 use crate::ffi::Block;
 use crate::{Names, Text};
 
-/// The types of the method's parameter and of what rows of contact do; no name of a declaration has words in brackets.
+/// The types of the method's parameter and of modes of contact rows; no name of a declaration contains parentheses.
 const METHODS: &str = "plm(methods)";
 const MODES: &str = "plm(contact)";
 
-/// Tells FMUs apart: the name of the mechanism and a number of its declaration.
+/// Token that identifies the FMU: the name of the mechanism and a number of its declaration.
 pub fn token<M: Exchanged>() -> Text {
     Text::of(format_args!("{{{}-{:016x}}}", M::TABLES.name, Block::<M>::MARK))
 }
@@ -73,7 +73,7 @@ fn head<M: Exchanged>(version: Version, declared: &M, to: &mut impl Write) -> fm
          canNotUseMemoryManagementFunctions=\"true\"",
         "canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\" providesDirectionalDerivatives=\"true\"",
     );
-    // In 2.0 an importer calls it unless it is told not to.
+    // In 2.0 an importer calls it unless this attribute says otherwise.
     let exchange = version.pick("", " needsCompletedIntegratorStep=\"true\"");
     let events = version.pick("", " hasEventMode=\"true\"");
     let identifier = Names::lower(name);
@@ -102,7 +102,7 @@ fn enumeration<N: fmt::Display>(
     writeln!(to, "{end}")
 }
 
-/// Name and words of a mode of contact.
+/// Name and description of a mode of contact.
 fn of_mode(mode: Mode) -> (&'static str, &'static str) {
     match mode {
         Mode::Open => ("open", "a gap is open"),

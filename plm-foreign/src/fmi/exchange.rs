@@ -21,7 +21,7 @@ pub struct Update {
     pub next: Option<f64>,
 }
 
-/// The last look at the loops: where it was, and whether they need other coordinates from there on.
+/// The last check of the loops: its time and state, and if the loops need other coordinates from there on.
 #[derive(Clone, Copy)]
 pub(super) struct Look<X> {
     pub(super) time: f64,
@@ -87,7 +87,7 @@ impl<M: Exchanged> Instance<M> {
         }
         let state = self.state()?;
         let (held, time) = (state.held(), time.unwrap_or(state.time()));
-        // Before the last event other modes were held; the times of a solver are sums.
+        // Before the last event other modes applied; the times of a solver are sums.
         if time < self.since - NEAR * self.since.abs().max(1.0) {
             return Err(Status::Interval.into());
         }
@@ -101,7 +101,7 @@ impl<M: Exchanged> Instance<M> {
         Ok(())
     }
 
-    /// The way from the last look to where the solver is; none where it is there, or nothing is to be looked at.
+    /// The way from the last check to where the solver is; `None` if it is there, or if no loops are to be followed.
     fn way(&self) -> Result<Option<Way<'_, M>>, Error> {
         let state = self.state()?;
         let to = (state.time(), *state.x());
@@ -131,7 +131,7 @@ impl<M: Exchanged> Instance<M> {
     /// Follows the loops to where the solver is.
     ///
     /// # Errors
-    /// Where a loop cannot be followed.
+    /// A fault if a loop cannot be followed.
     pub fn catch_up(&mut self) -> Result<(), Error> {
         let Some(way) = self.way()? else { return Ok(()) };
         let (time, x) = way.to;
@@ -140,7 +140,7 @@ impl<M: Exchanged> Instance<M> {
         self.hold(reached.held, time, x)
     }
 
-    /// The loops have been looked at where the mechanism is.
+    /// Records that the loops have been checked at the present state.
     pub(super) fn looked(&mut self) -> Result<(), Error> {
         let state = self.state()?;
         self.look = Some(Look { time: state.time(), x: *state.x(), leaves: false });
@@ -160,8 +160,7 @@ impl<M: Exchanged> Instance<M> {
         Ok((held, x, accepted.moved))
     }
 
-    /// A solver has made a step: looks at charts and branches of loops. True where an event is to follow, because states
-    /// will change.
+    /// A solver has made a step: checks charts and branches of loops. True if an event is to follow, because states will change.
     ///
     /// # Errors
     /// When the state cannot be the continuation of the one before.
@@ -181,7 +180,7 @@ impl<M: Exchanged> Instance<M> {
             return Ok(true);
         }
         self.left_over = left_over;
-        // Of loops that were looked at here already, more is known of the way.
+        // If loops were already followed to this place, the data along the way are more accurate.
         if !self.follows_loops() || self.way()?.is_some() {
             self.hold(held, time, x)?;
             self.looked()?;

@@ -1,6 +1,7 @@
 //! The functions of FMI on an instance behind a pointer.
 //!
-//! Every function looks at what it is given, gives an error with a log message, and changes nothing then. Those of 3.0 stand in this
+//! Every function checks its arguments; if they are wrong, it gives an error with a log message and changes nothing. Those of 3.0 stand in
+//! this
 //! module and those below; [`two`] has what 2.0 writes otherwise.
 
 mod listener;
@@ -40,13 +41,13 @@ const ERROR: Outcome = 3;
 /// The instance as a simulator holds it.
 #[repr(C)]
 pub struct Handle<M: Exchanged> {
-    /// Tells instances from other memory.
+    /// Identifies instances in other memory.
     mark: u64,
     instance: Instance<M>,
     /// Steps of co-simulation may return at events.
     returns_early: bool,
     listener: Listener,
-    /// Notices that were told.
+    /// Notices that were reported.
     told: Vec<Discriminant<Notice>>,
 }
 
@@ -112,10 +113,10 @@ fn severity(reason: &impl Reason, version: Version, call: Option<Call>, mode: Mo
     if is_discarded { Severity::Discard } else { Severity::Error }
 }
 
-/// Lets `work` at an instance; a function for some modes alone is told by `call`.
+/// Lets `work` at an instance; `call` names a function that only some modes allow.
 ///
 /// # Safety
-/// `handle` is null or an instance that nobody else uses meanwhile.
+/// `handle` is null or an instance that no other thread uses meanwhile.
 pub unsafe fn with<M: Exchanged>(
     handle: *mut Handle<M>,
     call: impl Into<Option<Call>>,
@@ -227,7 +228,7 @@ unsafe fn read<'a, T>(at: *const T, count: usize) -> Result<&'a [T], Error> {
     }
 }
 
-/// Writes numbers to room of the caller for exactly as many; what is there may have no value yet.
+/// Writes numbers to room of the caller for exactly as many; the room may be uninitialised.
 ///
 /// # Safety
 /// `at` is null or at room of the caller for `count` numbers.
@@ -236,7 +237,7 @@ unsafe fn fill<T: Copy>((at, count): (*mut T, usize), values: &[T]) -> Result<()
         return Err(Status::NoSuch.into());
     }
     for (index, value) in values.iter().enumerate() {
-        // SAFETY: there is room for as many; null is told by `put`.
+        // SAFETY: there is room for as many; `put` reports null.
         unsafe { put(if at.is_null() { at } else { at.add(index) }, *value)? };
     }
     Ok(())

@@ -1,14 +1,14 @@
-//! Loops along the way of a solver outside.
+//! Following loops along the way of an external solver.
 //!
-//! A solver outside looks at the mechanism where it likes: farther from the last look than a loop can be followed. So the way from
-//! there is looked at in between, on the cubic through places and velocities at both ends; where a loop cannot be followed from one
-//! look to the next, half as far. What is remembered of the loops changes in that, and no number of the solver.
+//! An external solver evaluates the mechanism at any state, which may be farther from the last check than a loop can be followed. So the
+//! way from there is checked in between, on the cubic through places and velocities at both ends; if a loop cannot be followed from one
+//! check to the next, the distance is halved. This changes the continuation data of the loops, and no number of the solver.
 
 use plm_runtime::{Events, Fault, Rate, Updated, Vector};
 
 use super::Exchanged;
 
-/// Looks stand no nearer to each other than this part of the way.
+/// Least distance of two checks, as a part of the way.
 const NEAREST: f64 = 1.0 / 4096.0;
 
 /// Has it loops that are followed? Those of kinematics, dyads and iterations are.
@@ -21,17 +21,17 @@ pub(super) fn indicators<M: Exchanged>(declared: &M) -> usize {
     <M as Events>::G::LEN + usize::from(has_loops(declared))
 }
 
-/// A way from the last look to where a solver is: time and state.
+/// A way from the last check to where a solver is: time and state.
 pub(super) struct Way<'a, M: Exchanged> {
     pub(super) system: &'a M,
     pub(super) from: (f64, M::X),
     pub(super) to: (f64, M::X),
 }
 
-/// Where a way has led.
+/// Result of following a way.
 pub(super) struct Reached<M: Exchanged> {
     pub(super) held: M::U,
-    /// The last look.
+    /// The time of the last check.
     pub(super) time: f64,
     pub(super) x: M::X,
     /// The loops need other coordinates from there on.
@@ -39,10 +39,11 @@ pub(super) struct Reached<M: Exchanged> {
 }
 
 impl<M: Exchanged> Way<'_, M> {
-    /// To the end, with what a step changes after it: whole turns are taken off the state, and at the end other coordinates are chosen.
+    /// Follows to the end, with the changes after a step: the state is reduced by whole revolutions, and other coordinates are chosen at
+    /// the end.
     ///
     /// # Errors
-    /// Where a loop cannot be followed, or would need other coordinates on the way.
+    /// A fault if a loop cannot be followed, or would need other coordinates on the way.
     pub(super) fn arrive(&self, held: M::U) -> Result<Reached<M>, Fault> {
         let (mut reached, mut shift, mut part) = (self.begin(held), M::X::fill(0.0), 1.0);
         let (mut at, mut too_far) = (0.0, None);
@@ -53,7 +54,7 @@ impl<M: Exchanged> Way<'_, M> {
             let (mut held, mut x) = (reached.held, point);
             let outcome = self.system.update(time, &mut held, &mut x);
             match (outcome, too_far) {
-                // Numbers of the solver tell nothing in other coordinates.
+                // Numbers of the solver have no meaning in other coordinates.
                 (Ok(Updated { moved: true, .. }), Some(fault)) if next < 1.0 => return Err(fault),
                 (Ok(Updated { moved: leaves, .. }), _) => {
                     reached = Reached { held, time, x, leaves };
@@ -69,10 +70,10 @@ impl<M: Exchanged> Way<'_, M> {
         }
     }
 
-    /// As far as the loops can be followed in the coordinates that the solver has, and without taking turns off them.
+    /// Follows as far as possible in the coordinates of the solver, without reducing angles by revolutions.
     ///
     /// # Errors
-    /// Where a loop cannot be followed.
+    /// A fault if a loop cannot be followed.
     pub(super) fn follow(&self, held: M::U) -> Result<Reached<M>, Fault> {
         let (mut reached, mut at, mut part) = (self.begin(held), 0.0, 1.0);
         loop {
@@ -119,7 +120,7 @@ impl<M: Exchanged> Way<'_, M> {
         };
         let x = M::X::from_fn(|i| match i {
             _ if i < n => place(i),
-            // What is set at one moment has no speed of its own.
+            // A state that is set at one moment has no speed of its own.
             _ if i < 2 * n && h != 0.0 => speed(i),
             _ => even(i),
         });

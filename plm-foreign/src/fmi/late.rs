@@ -1,8 +1,8 @@
-//! Conditions that a solver outside hands over late.
+//! Conditions that an external solver reports late.
 //!
-//! A solver may look at indicators at the ends of its steps alone, or find their zeros by halves. Until then the motion has gone on in
-//! modes that did not apply any more: what slips has a velocity to the other side, what falls has sunk in. So the motion goes back along
-//! itself to where the conditions were on their sides, and a run leads on from there, with the events that come on that way.
+//! A solver may read indicators at the ends of its steps alone, or find their zeros by halves. Until then the motion has gone on in modes
+//! that no longer applied: what slips has a velocity to the other side, what falls has penetrated. So the motion is traced back to where
+//! the conditions were on their sides, and a run leads on from there, with the events that come on that way.
 
 use plm_runtime::contact::Mode;
 use plm_runtime::{Fault, Moment, Rate, Scalar, Vector};
@@ -26,13 +26,13 @@ const FLIGHTS: f64 = 10.0;
 /// A solver that is late by up to a step lifts a flight of so many steps by more than it is high, if it is of first order.
 const SHORT: f64 = 3.0;
 
-/// A motion, as long as this is held.
+/// The motion at a constant discrete state.
 pub(super) struct Motion<'a, M: Exchanged> {
     pub(super) system: &'a M,
     pub(super) held: &'a M::U,
 }
 
-/// Where the motion is: time, s, and state.
+/// Point of a motion: time, s, and state.
 pub(super) type Place<M> = (f64, <M as Rate>::X);
 
 impl<M: Exchanged> Motion<'_, M> {
@@ -95,7 +95,7 @@ impl<M: Exchanged> Motion<'_, M> {
     fn returns(&self, here: &Place<M>, there: &Place<M>) -> bool {
         let Some((_, again)) = self.led(there, here.0 - there.0) else { return false };
         let typical = self.system.typical();
-        // False for what is not a number.
+        // False for NaN.
         (0..M::X::LEN).all(|i| {
             let (off, way) = (again.at(i) - here.1.at(i), here.1.at(i) - there.1.at(i));
             off.abs() <= OFF.0 * typical.at(i) + OFF.1 * way.abs()
@@ -145,14 +145,15 @@ pub(super) struct Follows {
     pub(super) since: f64,
     /// How late it has handed an event over, s.
     pub(super) late: f64,
-    /// Its tolerance; zero where it has told none.
+    /// Its tolerance; zero if it has given none.
     pub(super) tolerance: f64,
     /// Events in a row at which a gap was negative that had not been struck.
     pub(super) lost: u64,
 }
 
 impl Follows {
-    /// So many tell that the flight is lower than what the solver is off by: one may come of a start that has sunk in by rounding.
+    /// Number of such events from which on the flight is lower than the error of the solver: a single one may come from a start that
+    /// penetrates by rounding.
     const LOST: u64 = 2;
 
     /// Was a row struck at the event?

@@ -214,10 +214,10 @@ impl InWords for Settings {
     }
 }
 
-/// Where a communication step ends, and whether at an event.
+/// Result of a communication step: its end, and true if that is at an event.
 pub(super) type End<S> = (S, bool);
 
-/// From a state to a time, s, by a method that begins there; where that is asked for to the first event before it.
+/// Runs from a state to a time, s, by a method that begins there; on request to the first event before it.
 pub(super) fn run<M: Exchanged>(
     settings: Settings,
     state: M::State,

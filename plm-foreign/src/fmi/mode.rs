@@ -23,7 +23,7 @@ pub enum Interface {
     },
 }
 
-/// Where an FMU is.
+/// Mode of an FMU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// Not started.
@@ -162,7 +162,7 @@ impl Call {
     }
 }
 
-/// A call that is not allowed, in words.
+/// A call that is not allowed.
 pub(super) struct NotAllowed(pub(super) Version, pub(super) Call, pub(super) Interface, pub(super) Mode);
 
 impl fmt::Display for NotAllowed {
@@ -195,7 +195,7 @@ impl Mode {
     }
 }
 
-/// Its place among all; what is none stays as it is.
+/// Writes or reads the place of a value among all; an unknown place leaves the value unchanged.
 pub(super) fn place<T: Copy + PartialEq>(own: &mut T, all: &[T], words: &mut impl Words) {
     let mut place = all.iter().position(|one| one == own).unwrap_or_default() as u64;
     words.word(&mut place);

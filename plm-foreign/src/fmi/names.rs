@@ -1,4 +1,4 @@
-//! Names of variables: each is another one, and what is declared keeps its own.
+//! Names of variables: all are different, and declared quantities keep their names.
 
 use alloc::collections::BTreeSet;
 use alloc::format;
@@ -52,7 +52,7 @@ fn candidates<M: Exchanged>(declared: &M, variable: Variable) -> Vec<String> {
             return vec![numbered("indicator", k, declared.guard_name(k))];
         }
         Variable::Indicator(k) => return vec![numbered("indicator", k, "loops")],
-        // No name of a declaration has words in brackets.
+        // No name of a declaration contains parentheses.
         Variable::Method => return vec!["plm(method)".to_string()],
         Variable::Step => return vec!["plm(step)".to_string()],
         Variable::Parameter(k) => (Kind::Parameter, "parameter", k),

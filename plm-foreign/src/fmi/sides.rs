@@ -44,7 +44,7 @@ impl<G: Vector<f64>> LeftOver<G> {
         guards.map2(&self.0, |guard, left_over| guard + left_over)
     }
 
-    /// The state has moved on: what is on its side again needs nothing more.
+    /// The state has moved on: a condition that is on its side again needs nothing more.
     pub(super) fn forget<M: Exchanged<G = G>>(&mut self, system: &M, t: f64, held: &M::U, x: &M::X) {
         let guards = beyond_band(system, t, held, x);
         self.0 = self.0.map2(&guards, |left_over, guard| if guard > 0.0 { 0.0 } else { left_over });
@@ -78,7 +78,7 @@ impl<G: Vector<f64>> LeftOver<G> {
         due.map(ago).fold(0.0, f64::max)
     }
 
-    /// A place on the way to here where what is due had not passed its zero, if it has by more than rounding.
+    /// A place on the way to here at which the due conditions had not passed their zeros, if they have by more than rounding.
     pub(super) fn before<M: Exchanged<G = G>>(
         &self,
         motion: &Motion<M>,
@@ -94,12 +94,12 @@ impl<G: Vector<f64>> LeftOver<G> {
         if late > near(here.0) { motion.before(here, (late, since), holds) } else { None }
     }
 
-    /// After a run, which has switched what was due: what is beyond its zero is rounding.
+    /// After a run, which has switched the due conditions: values beyond zero are rounding.
     pub(super) fn after<M: Exchanged<G = G>>(system: &M, (t, x): Place<M>, held: &M::U) -> Self {
         Self(beyond_band(system, t, held, &x).map(|guard| if guard < 0.0 { -2.0 * guard } else { 0.0 }))
     }
 
-    /// Switches what is due, each condition once; `late` is about how long ago it was due, s.
+    /// Switches the due conditions, each once; `late` is about how long ago they were due, s.
     ///
     /// # Errors
     /// [`Cause::Required`]

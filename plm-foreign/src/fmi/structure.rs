@@ -44,7 +44,7 @@ pub(super) fn structure<M: Exchanged>(version: Version, declared: &M, to: &mut i
     each(version.pick("Derivatives", "ContinuousStateDerivative"), &is_rate)?;
     each(version.pick("InitialUnknowns", "InitialUnknown"), &at_start)?;
     match version {
-        // It tells their number elsewhere.
+        // 2.0 gives their number elsewhere.
         Version::Two => Ok(()),
         Version::Three => each("EventIndicator", &|variable| matches!(variable, Variable::Indicator(_))),
     }
@@ -55,7 +55,7 @@ fn known<M: Exchanged>(version: Version, unknown: Variable, all: &[Variable]) ->
     let coordinates = <M as Rate>::NQ;
     let row = row::<M>(unknown);
     let depends = |known: Variable| match (unknown, row) {
-        // It tells of what can change while equations hold.
+        // 2.0 lists only dependences on quantities that can change while equations hold.
         _ if version == Version::Two && matches!(known, Variable::Parameter(_)) => Some(false),
         // The rate of a coordinate is its velocity.
         (Variable::Rate(k), _) if k < coordinates => Some(known == Variable::State(k + coordinates)),

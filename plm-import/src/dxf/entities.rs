@@ -62,7 +62,7 @@ impl<'g> Entity<'g> {
         self.count(70) & 1 == 1
     }
 
-    /// The direction from which it is drawn: 1 from the front, −1 from the back. Others are told.
+    /// The direction from which it is drawn: 1 from the front, −1 from the back. Others are reported.
     pub(super) fn side(&self, notices: &mut Notices) -> Option<f64> {
         let normal = [210, 220, 230].map(|code| self.number(code));
         let [x, y, z] = [normal[0].unwrap_or(0.0), normal[1].unwrap_or(0.0), normal[2].unwrap_or(1.0)];
@@ -73,7 +73,7 @@ impl<'g> Entity<'g> {
         Some(z.signum())
     }
 
-    /// The points of an entity; tells of one that is not taken.
+    /// The points of an entity; reports one that is not taken.
     pub(super) fn chain(&self, placing: &Placing, notices: &mut Notices) -> Option<Chain> {
         if SAYS_NOTHING.contains(&self.name) {
             return None;
@@ -93,7 +93,7 @@ impl<'g> Entity<'g> {
     /// Points in the plane of the drawing; none of numbers that are none.
     fn drawn(&self, notices: &mut Notices) -> Result<Option<Line>, Told> {
         let side = self.side(notices).ok_or(Told)?;
-        // What is seen from the back has its x the other way; lines, ellipses and splines are given in the world (arbitrary axis algorithm).
+        // An entity seen from the back has its x reversed; lines, ellipses and splines are given in the world (arbitrary axis algorithm).
         let own = |points: Vec<[f64; 2]>| points.into_iter().map(|[x, y]| [side * x, y]).collect();
         Ok(match self.name {
             "LINE" => self.point(10).zip(self.point(11)).map(|(from, to)| (vec![from, to], false)),

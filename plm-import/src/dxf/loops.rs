@@ -7,8 +7,8 @@ use crate::number::length;
 /// Distance of ends that meet, by the size of the drawing.
 const MEETING: f64 = 1e-6;
 
-/// Joins chains at their ends, which may be apart by `gap`, until all are closed. One that stays open is told: it is a mistake where it is
-/// wider than all that closes, as a contour with a gap, and else a line beside them, as an axis.
+/// Joins chains at their ends, which may be apart by `gap`, until all are closed. A chain that stays open is reported: as an error if it
+/// is wider than all closed ones (a contour with a gap), else as a warning (a line beside them, as an axis).
 pub(super) fn closed(chains: Vec<Chain>, gap: f64, notices: &mut Notices) -> Option<Vec<Chain>> {
     let size = chains
         .iter()
@@ -82,7 +82,7 @@ fn away_of(chain: &Chain, at: [f64; 2]) -> f64 {
     ends.into_iter().flatten().map(|&end| distance(end, at)).fold(f64::INFINITY, f64::min)
 }
 
-/// Where a chain is open, and how far the nearest other end is.
+/// Text for an open chain: its end, and the distance to the nearest other end.
 fn told(chain: &Chain, all: &[Chain]) -> String {
     let (first, last) = (chain.points[0], chain.points[chain.points.len() - 1]);
     let others = all.iter().filter(|other| !std::ptr::eq(*other, chain)).map(|other| away_of(other, last));

@@ -18,7 +18,7 @@ use crate::notice::{Notices, Place};
 use crate::number::length;
 use crate::outline::area;
 
-/// What of a drawing is taken.
+/// Selection of parts of a drawing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Selection {
     /// Layers by their names; all where there is none.
@@ -92,7 +92,7 @@ fn parts(mut outlines: Vec<Chain>) -> Vec<Vec<Chain>> {
     parts
 }
 
-/// The body that is asked for, or the only one; tells of the others.
+/// The selected body, or the only one; reports the others.
 fn chosen<'a>(
     parts: &'a [Vec<Chain>],
     selection: &Selection,
@@ -128,7 +128,7 @@ fn chosen<'a>(
     }
 }
 
-/// Parts that are told one by one.
+/// Largest number of parts that are reported one by one.
 const MOST_TOLD: usize = 20;
 
 /// Size and place of a part, in the unit of the drawing.

@@ -20,7 +20,7 @@ impl Rotor {
     }
 }
 
-/// A hinge that follows another one, `q = ratio q_of` from the start on, or that is held there.
+/// A hinge that follows another one, `q = ratio q_of` from the start on, or that is fixed.
 pub(super) struct Coupling {
     /// The row of the declaration.
     pub(super) part: usize,

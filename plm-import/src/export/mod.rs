@@ -141,7 +141,7 @@ fn drives<'a>(export: &'a Export, notices: &mut Notices) -> Vec<Drive<'a>> {
 }
 
 impl Export<'_> {
-    /// Tells what is missing of the parts, in their order.
+    /// Reports what the format lacks of the parts, in their order.
     fn tell_of_parts(&self, notices: &mut Notices) {
         let parts = &self.mechanism.parts;
         for (number, AssembledPart { name, kind, span, acts, .. }) in parts.iter().enumerate() {

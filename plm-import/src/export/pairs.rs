@@ -6,7 +6,7 @@ use plm_compiler::{Affine, FieldValue, InputTerm};
 
 use super::counts;
 
-/// What is said of a drive that no actuator makes.
+/// Text for a drive that no actuator can represent.
 const NO_LAW: &str = "is not a multiple of one input, clamped or not, which a motor is; of a revolute it may be affine in one input, the angle and \
                       the speed, which a servo is";
 
@@ -44,7 +44,7 @@ pub(super) struct Acting {
     pub(super) friction: f64,
     pub(super) lower: Option<f64>,
     pub(super) upper: Option<f64>,
-    /// Inertia that turns with the coordinate, kg m^2.
+    /// Inertia that rotates with the coordinate, kg m^2.
     pub(super) armature: f64,
     /// A force or torque that an input sets.
     pub(super) drive: Option<Law>,

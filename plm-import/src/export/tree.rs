@@ -156,7 +156,7 @@ impl Link {
         let [a, b] = pair.frames.map(|frame| posed.frame(frame));
         let (sin, cos) = a[2].sin_cos();
         let between = [b[0] - a[0], b[1] - a[1]];
-        // The first body of a pair turns and slides against the second one the other way round.
+        // The first body of a pair rotates and slides against the second one in the opposite direction.
         let sign = if is_second { 1.0 } else { -1.0 };
         let joint = |name: String, motion, coordinate, acting| Joint {
             name,

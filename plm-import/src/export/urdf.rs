@@ -55,7 +55,7 @@ fn effort(joint: &Joint, drives: &[Drive]) -> Option<f64> {
     Some(range.map_or(UNBOUNDED, |[_, high]| (factor * high).abs()))
 }
 
-/// Tells what URDF does not have.
+/// Reports features that URDF does not have.
 fn tell(export: &Export, drives: &[Drive], notices: &mut Notices) {
     let mechanism = export.mechanism;
     for drive in drives {
@@ -200,7 +200,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What a joint follows: `q = multiplier q_of + offset`.
+    /// Joint that a joint follows: `q = multiplier q_of + offset`.
     fn mimic(&self, joint: &Joint, tags: &mut Tags) {
         let Export { pairs, couplings, .. } = self.export;
         let followed = couplings.iter().find(|coupling| pairs[coupling.pair].name == joint.name);

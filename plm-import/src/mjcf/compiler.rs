@@ -181,7 +181,7 @@ impl Compiler {
     }
 }
 
-/// The least rotation that turns the z axis along a vector.
+/// The least rotation of the z axis to a vector.
 pub(super) fn from_z(z: Vector) -> Option<Matrix> {
     let z = unit(z)?;
     let axis = cross([0.0, 0.0, 1.0], z);

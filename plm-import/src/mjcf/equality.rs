@@ -94,7 +94,7 @@ impl Reader<'_> {
         self.spatial.joints.push(Joint::fixed(&name, &element.place, [parent, child], at));
     }
 
-    /// `<joint>`: a joint follows another one, or is held.
+    /// `<joint>`: a joint follows another one, or is fixed.
     fn follow(&mut self, element: &Element) {
         let mut numbers = [None; 2];
         for (number, attribute) in numbers.iter_mut().zip(["joint1", "joint2"]) {

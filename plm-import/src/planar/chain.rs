@@ -26,7 +26,7 @@ pub(super) fn from(spatial: &Spatial, hosts: &Hosts, number: usize) -> Vec<usize
 /// Form of a chain in the declaration.
 #[derive(Clone, Copy, Debug)]
 enum Shape {
-    /// Nothing is held: two slides and a hinge.
+    /// Nothing is constrained: two slides and a hinge.
     Free,
     /// Two slides.
     Upright,
@@ -34,7 +34,7 @@ enum Shape {
     Slot,
 }
 
-/// Adds the pairs of a chain; tells of one that is not taken.
+/// Adds the pairs of a chain; reports one that is not taken.
 pub(super) fn add(
     planar: &mut Planar,
     spatial: &Spatial,

@@ -28,7 +28,7 @@ impl Hosts {
         let has_mass = |link: usize| spatial.links[link].inertial.is_some();
         let mut roles: Vec<Role> =
             (0..count).map(|link| if has_mass(link) { Role::Body } else { Role::Between }).collect();
-        // What is fixed to the world is ground, with or without mass.
+        // A link that is fixed to the world is ground, with or without mass.
         for _ in 0..count {
             for joint in fixed() {
                 let is_ground = |end: Option<usize>| end.is_none_or(|link| roles[link] == Role::Ground);

@@ -132,7 +132,7 @@ impl Planar {
         Some(planar)
     }
 
-    /// Tells of drives and couplings whose joints are no pairs.
+    /// Reports drives and couplings whose joints are no pairs.
     fn find_driven(&self, spatial: &Spatial, notices: &mut Notices) {
         let is_pair = |joint: usize| self.pairs.iter().any(|pair| pair.joint == joint);
         for drive in spatial.drives.iter().filter(|drive| !is_pair(drive.joint)) {
@@ -148,7 +148,7 @@ impl Planar {
         }
     }
 
-    /// Tells of a group of bodies that nothing but contact holds, of which `first` is one: contacts are left out.
+    /// Reports a group of bodies that only contact supports, of which `first` is one: contacts are left out.
     fn tell_of_fall(&self, first: usize, spatial: &Spatial, hosts: &hosts::Hosts, notices: &mut Notices) {
         let bodies = self.group(first);
         let touches = |link: &usize| {
@@ -157,7 +157,7 @@ impl Planar {
         };
         let is_pulled = self.gravity.iter().any(|part| part.abs() > 1e-9);
         let Some(link) = (0..spatial.links.len()).find(touches).filter(|_| is_pulled) else { return };
-        // What is fixed is best the link from which the others hang.
+        // The best link to be fixed is the root from which the others hang.
         let root =
             (0..spatial.links.len()).find(|link| pairs::host(hosts, Some(*link)) == Some(Host::Body(first)));
         let (link, root) = (&spatial.links[link], &spatial.links[root.unwrap_or(link)].name);

@@ -71,7 +71,7 @@ pub(super) fn set(planar: &mut Planar, spatial: &Spatial) -> Vec<usize> {
     free
 }
 
-/// Where one body of a pair has its shift and the other one none, gives it one.
+/// Sets the shift of one body of a pair from that of the other one, if only one of them has a shift.
 fn reach(planar: &mut Planar, spatial: &Spatial, k: usize, shifts: &mut [Option<Shift>], used: &mut [bool]) {
     let pair = &planar.pairs[k];
     if used[k] {

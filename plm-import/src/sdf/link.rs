@@ -10,7 +10,7 @@ use crate::xml::Element;
 const WITHOUT_NOTICE: &[&str] =
     &["pose", "inertial", "self_collide", "must_be_base_link", "enable_wind", "light", "material"];
 
-/// Shapes of a link; tells what is not taken.
+/// Shapes of a link; reports elements that are not taken.
 pub(super) fn shapes(link: &Element, notices: &mut Notices) -> Vec<Shape> {
     let mut shapes = Vec::new();
     for child in &link.children {

@@ -260,7 +260,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Axis, spring, damper and limits; tells whether there is an axis.
+    /// Reads axis, spring, damper and limits; returns true if there is an axis.
     fn axis(&mut self, element: &Element, scope: &str, pose: &crate::space::Pose, joint: &mut Joint) -> bool {
         let Some(axis) = element.child("axis") else {
             self.notices.error(&element.place, format!("{} has no <axis>", element.shown()));
@@ -303,7 +303,7 @@ impl<'a> Reader<'a> {
         true
     }
 
-    /// Tells of a parent that is a frame away from the joint: SDF places a joint at its child.
+    /// Reports a parent that is a frame away from the joint: SDF places a joint at its child.
     fn far_from_parent(&mut self, element: &Element, scope: &str, joint: &Joint) {
         let name = element.child("parent").map_or("", |parent| parent.text.as_str());
         let is_frame =

@@ -4,7 +4,7 @@ use crate::hash::Table;
 use crate::node::{Expr, Node, hash_product, hash_sum, hash_words};
 use crate::number::Number;
 
-/// Where a name is absent.
+/// Index of the name of a node that has none.
 const NO_NAME: u32 = u32::MAX;
 
 /// A hash-consed graph of expressions.

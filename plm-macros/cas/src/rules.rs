@@ -4,8 +4,8 @@
 //! conventions follow from the conditions: a zero coefficient removes its term even if the rest could become
 //! infinite, and a factor cancels against its inverse although the quotient has no value where it is zero.
 
-/// Where a rule is true in f64, up to rounding, overflow and the sign of zeros. All but `Always` ask for finite
-/// variables too; what is asked beyond that concerns `x`.
+/// Condition under which a rule is true in f64, up to rounding, overflow and the sign of zeros. All but `Always`
+/// require finite variables; what they require beyond that concerns `x`, the first variable.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Condition {
     /// Everywhere, infinities and NaN included.
@@ -47,7 +47,7 @@ pub struct Rule {
     pub pattern: &'static str,
     /// The expression after.
     pub result: &'static str,
-    /// Where both have the same value.
+    /// Condition under which both have the same value.
     pub condition: Condition,
 }
 

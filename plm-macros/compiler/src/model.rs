@@ -106,7 +106,7 @@ pub struct Model {
     pub kinks: Vec<Expr>,
     /// Angles whose whole turns are counted; derivation finds them.
     pub turns: Vec<Counted>,
-    /// Where rows jump or may jump; derivation finds them.
+    /// Rows that may jump where a condition changes its side; derivation finds them.
     pub jumps: Vec<Jump>,
     /// Symbols in rows for conditions whose sides are held, and these conditions. Where nothing is held, as in assembly
     /// and projection, the conditions themselves decide: on the boundary both sides agree.
@@ -124,7 +124,7 @@ pub struct Model {
 /// A place in a declaration or in the definition of a part.
 #[derive(Clone, Debug)]
 pub struct Declared {
-    /// Where it stands.
+    /// Span in its source.
     pub span: Span,
     /// Inside a part: the uses that lead there, from the declaration inwards.
     pub uses: Vec<Use>,
@@ -135,7 +135,7 @@ pub struct Declared {
 pub struct Name {
     /// The text; parts inside `repeat` and parts carry their path, `bar[3]`, `arm.spring`.
     pub text: String,
-    /// Where it was declared.
+    /// Span of its declaration.
     pub span: Span,
 }
 
@@ -235,11 +235,11 @@ pub struct Body {
     pub name: Name,
     /// Mass, kg.
     pub mass: Expr,
-    /// Where the mass was written.
+    /// Span of the expression that gives the mass; of the body's name if no mass is declared.
     pub mass_span: Span,
     /// Moment of inertia about G, kg m^2.
     pub inertia: Expr,
-    /// Where the inertia was written.
+    /// Span of the expression that gives the inertia; of the body's name if no mass is declared.
     pub inertia_span: Span,
     /// Are mass and inertia declared? Else both are numbers that no result may depend on.
     pub has_mass: bool,
@@ -289,7 +289,7 @@ pub struct Start {
     pub locked: bool,
     /// Was it written, or follows it from drawing coordinates? Else it is the default 0.
     pub given: bool,
-    /// Where.
+    /// Span of the declared start; of the body's name if none is declared.
     pub span: Span,
 }
 
@@ -304,9 +304,9 @@ pub struct Row {
     pub phi: Expr,
     /// Symbol of its multiplier; outputs may hold it (`M a + phi_q^T lambda = Q`).
     pub lambda: Expr,
-    /// Where the constraint stands: the joint in the declaration.
+    /// Span of the name of its joint in the declaration; of its own name if it stands there by itself.
     pub span: Span,
-    /// Where it was written: the equation, of a joint in its definition.
+    /// Place of its equation; that of a joint's row is in the definition of the joint.
     pub declared: Declared,
     /// `m` or `rad`.
     pub unit: DisplayUnit,

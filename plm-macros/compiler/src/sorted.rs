@@ -23,8 +23,8 @@ pub struct SortedSet<T>(Vec<T>);
 /// Keys and values, by key.
 pub type Entries<'a, K, V> = std::iter::Map<std::slice::Iter<'a, (K, V)>, fn(&'a (K, V)) -> (&'a K, &'a V)>;
 
-/// Where the key stands in a list of this length, or else where it belongs; `compare` compares what stands at a place
-/// with the key.
+/// Index of the key in a list of this length; if it is absent, the index at which it belongs, as `Err`. `compare` compares the entry at an
+/// index with the key.
 fn place(length: usize, mut compare: impl FnMut(usize) -> Ordering) -> Result<usize, usize> {
     let (mut low, mut high) = (0, length);
     // What is new mostly belongs at the end.

@@ -1,4 +1,4 @@
-//! Where the symbols of a model stand among the arguments of a straight-line function.
+//! Sources of the symbols of a model: their places among the arguments of a straight-line function.
 //!
 //! Emission writes a place as Rust, a mechanism at run time reads it as data: both have the symbols from here.
 

@@ -1,4 +1,4 @@
-//! Where something stands in a source.
+//! Spans: ranges of tokens in a source.
 
 /// A range of tokens of one source. The caller of the compiler knows what a token's index means: a span of rustc for
 /// a macro, a byte range for text.

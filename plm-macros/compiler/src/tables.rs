@@ -39,7 +39,7 @@ pub(crate) enum Entry {
 
 /// A port of the ground.
 pub(crate) struct Ground {
-    /// Where its numbers begin.
+    /// Index of its first number in the table.
     pub(crate) first: usize,
     /// Does it move with the time?
     pub(crate) moves: bool,

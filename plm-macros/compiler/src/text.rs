@@ -74,7 +74,7 @@ fn comment(text: &str) -> usize {
 pub(crate) struct LexicalError {
     pub(crate) code: Code,
     pub(crate) message: String,
-    /// Where, in bytes of the text with its brackets closed.
+    /// Byte in the text with its brackets closed.
     pub(crate) at: usize,
 }
 

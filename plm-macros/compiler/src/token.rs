@@ -177,7 +177,7 @@ impl Source {
         self.text.as_ref()?.get(self.range(span)?)
     }
 
-    /// Where a span begins, and the line that it begins in; `None` without text.
+    /// Line and column at which a span begins, with the text of that line; `None` without text.
     pub fn place(&self, span: Span) -> Option<(Place, &str)> {
         let start = self.range(span)?.start;
         let text = self.text.as_ref()?;
@@ -253,7 +253,7 @@ impl Sources {
         self.add(name, stream, None)
     }
 
-    /// Where rustc has the beginning of a span; the call of the macro where it has it not.
+    /// Span that rustc has of the first token of a span; the call of the macro if the span is not of the declaration.
     pub fn place_in_rust(&self, span: Span) -> proc_macro2::Span {
         let here = proc_macro2::Span::call_site();
         self.ends(span).map_or(here, |[first, _]| first.resolved_at(here))
@@ -291,7 +291,7 @@ impl Sources {
         self.list.get(id as usize)
     }
 
-    /// Where the first and the last token of a span of the declaration stand for rustc; `None` for another source.
+    /// Spans that rustc has of the first and the last token of a span of the declaration; `None` for another source.
     pub fn ends(&self, span: Span) -> Option<[proc_macro2::Span; 2]> {
         let declaration = self.get(0).filter(|_| span.source == 0)?;
         let at = |token: u32| declaration.tokens.get(token as usize).map(|token| token.span);

@@ -1,6 +1,6 @@
-//! Curvature of the Lagrangian beyond the model of Gauss and Newton, segment by segment: the Lagrangian is a sum over the segments, and each
-//! part depends on few variables (A. Griewank, P. L. Toint, Partitioned variable metric updates for large structured optimization problems,
-//! Numer. Math. 39, 1982). What a step has changed of all slopes is kept, so that multipliers may change after it.
+//! Curvature of the Lagrangian beyond the model of Gauss and Newton, segment by segment: the Lagrangian is a sum over the segments, and
+//! each part depends on few variables (A. Griewank, P. L. Toint, Partitioned variable metric updates for large structured optimization
+//! problems, Numer. Math. 39, 1982). The changes of all slopes over a step are stored, so that multipliers may change after it.
 
 use std::collections::VecDeque;
 
@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::values::Values;
 
-/// Multipliers of what must vanish, and of what must stay within bounds.
+/// Multipliers of equality and inequality constraints.
 #[derive(Clone, Debug)]
 pub(super) struct Multipliers {
     pub(super) equal: DVector<f64>,
@@ -27,19 +27,19 @@ impl Multipliers {
 struct Part {
     /// The variables that it depends on.
     columns: Vec<usize>,
-    /// Rows of squares, of what must vanish and of what must stay within bounds.
+    /// Rows of squares, of equality and of inequality constraints.
     rows: [Vec<usize>; 3],
-    /// What the Hessian has beside the products of first derivatives, in sizes of the variables.
+    /// Part of the Hessian beyond the products of first derivatives, in sizes of the variables.
     second: DMatrix<f64>,
     /// The last steps, the latest one at the end.
     secants: VecDeque<Secant>,
 }
 
-/// A step of a part, and what it has changed of the slopes; in sizes of the variables.
+/// A step of a part, and the changes of the slopes over it; in sizes of the variables.
 #[derive(Clone, Debug)]
 struct Secant {
     step: DVector<f64>,
-    /// Of squares, of what must vanish and of what must stay within bounds.
+    /// Of squares, of equality and of inequality constraints.
     slopes: [DMatrix<f64>; 3],
     /// Of the rest of the cost.
     linear: DVector<f64>,
@@ -48,22 +48,22 @@ struct Secant {
 /// Steps that are remembered for each variable of a part.
 const REMEMBERED: usize = 2;
 
-/// The Hessian of the Lagrangian, as far as steps have told it.
+/// The Hessian of the Lagrangian, as far as steps have determined it.
 #[derive(Clone, Debug)]
 pub(super) struct Curvature {
     parts: Vec<Part>,
     sizes: Vec<f64>,
 }
 
-/// Quadratic model of the cost in sizes of the variables, with `weight` half squares of what must vanish.
+/// Quadratic model of the cost in sizes of the variables, with half the squares of equality constraints times `weight`.
 pub(super) struct Model {
     pub(super) hessian: DMatrix<f64>,
     pub(super) weight: f64,
-    /// Products of the slopes of what must vanish.
+    /// Products of the slopes of equality constraints.
     pub(super) squares: DMatrix<f64>,
 }
 
-/// Weights of what must vanish over the largest entry of the Hessian.
+/// Weights of equality constraints over the largest entry of the Hessian.
 const WEIGHTS: [f64; 5] = [0.0, 0.1, 1.0, 10.0, 100.0];
 
 /// A matrix of slopes in sizes of the variables.
@@ -71,8 +71,8 @@ fn scaled(of: &DMatrix<f64>, sizes: &[f64]) -> DMatrix<f64> {
     DMatrix::from_fn(of.nrows(), of.ncols(), |i, k| of[(i, k)] * sizes[k])
 }
 
-/// A step across the curvature is left out if it tells less than this fraction of what it could (J. Nocedal, S. J. Wright, Numerical
-/// Optimization, 2nd ed., 2006, 6.2).
+/// A step across the curvature is left out if its information is less than this fraction of the possible one (J. Nocedal, S. J. Wright,
+/// Numerical Optimization, 2nd ed., 2006, 6.2).
 const LEAST: f64 = 1e-8;
 
 impl Curvature {
@@ -90,8 +90,8 @@ impl Curvature {
         Self { parts: values.columns.iter().enumerate().map(part).collect(), sizes: sizes.to_vec() }
     }
 
-    /// A convex model at a point. Where the Hessian is not positive definite, squares of what must vanish are added, which change no step
-    /// that keeps it (M. J. D. Powell, 1969; G. Debreu, 1952); where that is not enough, parts lose their negative eigenvalues.
+    /// A convex model at a point. If the Hessian is not positive definite, squares of equality constraints are added, which change no step
+    /// that satisfies them (M. J. D. Powell, 1969; G. Debreu, 1952); if that is not enough, parts lose their negative eigenvalues.
     pub(super) fn model(&self, values: &Values) -> Model {
         let equal_by = scaled(&values.equal_by, &self.sizes);
         let squares = equal_by.tr_mul(&equal_by);

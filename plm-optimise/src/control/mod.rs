@@ -15,7 +15,7 @@ use crate::error::{Error, place};
 use crate::mechanism::{ByDop853, Integration, Optimisable};
 use crate::stack::on_large_stack;
 
-/// A mechanism, a grid of intervals, and what is asked of its motion.
+/// A mechanism, a grid of intervals, and the demands on its motion.
 ///
 /// The inputs are found by sequential quadratic programming on exact derivatives of the runs. All numbers are in SI.
 ///

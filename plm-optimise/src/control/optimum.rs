@@ -13,7 +13,7 @@ pub struct Optimum {
     pub duration: f64,
     /// The cost.
     pub cost: f64,
-    /// The largest violation of what is demanded: of outputs in SI, of continuity in typical sizes of states.
+    /// The largest violation of a constraint: of outputs in SI, of continuity in typical sizes of states.
     pub violation: f64,
     /// Iterations of the search.
     pub iterations: usize,

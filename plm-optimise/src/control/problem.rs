@@ -27,7 +27,7 @@ pub(crate) struct Transcription<M: Optimisable, D> {
     /// Number, bounds and guess of each input.
     inputs: Vec<(usize, [f64; 2], Vec<f64>)>,
     names: Vec<(String, &'static str, f64)>,
-    /// What is seen at the end of each interval, by number among the observables.
+    /// Outputs that are read at the end of each interval, by number among the observables.
     outputs: Vec<usize>,
     ends: Vec<(usize, f64)>,
     paths: Vec<(usize, [f64; 2])>,

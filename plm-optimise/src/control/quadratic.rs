@@ -9,7 +9,7 @@ use super::curvature::{Model, Multipliers};
 use super::values::Values;
 use crate::error::Error;
 
-/// A step, and the multipliers of what is demanded.
+/// A step, and the multipliers of the constraints.
 pub(super) struct Step {
     pub(super) d: DVector<f64>,
     pub(super) multipliers: Multipliers,
@@ -32,7 +32,7 @@ impl Inequalities {
     }
 }
 
-/// The step within `boxes` that makes the model of cost and of `weight` times the sum of what is violated least (R. Fletcher, Practical
+/// The step within `boxes` that makes the model of cost and of `weight` times the sum of violations least (R. Fletcher, Practical
 /// Methods of Optimization, 2nd ed., 1987, 14.4).
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-//! The last digits of what is demanded.
+//! Removal of violations that are rounding: the last digits of the constraints.
 //!
 //! Near a minimum the quadratic program of a step is known to the rounding of its solver, which large sizes of states and large weights
 //! make more than what may be violated. Newton's steps of least size on the rows alone take that away (J. Nocedal, S. J. Wright, Numerical
@@ -17,7 +17,7 @@ const ITERATIONS: usize = 10_000;
 /// Singular values below this fraction of the largest count as zero.
 const RANK: f64 = 1e-12;
 
-/// A point beside another one at which what is demanded is violated by less, with its values; none where there is none so near.
+/// A point beside another one at which constraints are violated by less, with its values; `None` if there is none so near.
 pub(super) fn restored<M: Optimisable, D: Integration<M>>(
     program: &mut Transcription<M, D>,
     (z, values): (&DVector<f64>, &Values),
@@ -36,7 +36,7 @@ pub(super) fn restored<M: Optimisable, D: Integration<M>>(
     None
 }
 
-/// The least step that closes the rows to first order; a variable that it would take over a bound is held.
+/// The least step that closes the rows to first order; a variable that would leave its bounds is fixed.
 fn step<M: Optimisable, D: Integration<M>>(
     program: &Transcription<M, D>,
     (z, values): (&DVector<f64>, &Values),
@@ -68,7 +68,7 @@ fn step<M: Optimisable, D: Integration<M>>(
     None
 }
 
-/// What must vanish, and what is outside of its bounds, with derivatives by the scaled variables.
+/// Equality constraints, and violated inequality constraints, with derivatives by the scaled variables.
 fn rows(values: &Values, sizes: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
     let Values { equal, equal_by, within, within_by, limits, .. } = values;
     let outside = |row: &usize| {

@@ -1,6 +1,5 @@
-//! Sequential quadratic programming with a trust region and the exact penalty of what is violated (R. Fletcher, Practical Methods of
-//! Optimization, 2nd ed., 1987, 14.4); the Hessian is that of Gauss and Newton with
-//! what the steps tell of its second derivatives.
+//! Sequential quadratic programming with a trust region and the exact penalty of violations (R. Fletcher, Practical Methods of
+//! Optimization, 2nd ed., 1987, 14.4); the Hessian is that of Gauss and Newton with second derivatives from the steps.
 
 use nalgebra::{DMatrix, DVector};
 use plm_runtime::Fault;
@@ -13,11 +12,11 @@ use super::values::Values;
 use crate::error::{Error, NotConverged};
 use crate::mechanism::{Integration, Optimisable};
 
-/// Where the search has ended.
+/// Result of the search.
 pub(super) struct Found {
     pub(super) z: DVector<f64>,
     pub(super) values: Values,
-    /// The largest violation of what is demanded.
+    /// The largest violation of a constraint.
     pub(super) violation: f64,
     pub(super) iterations: usize,
 }
@@ -54,26 +53,26 @@ struct Search {
     weight: f64,
     /// How often the weight was lowered.
     lowered: usize,
-    /// How often what is violated was taken away.
+    /// How often violations were removed.
     restored: usize,
     fault: Option<Fault>,
 }
 
-/// What one iteration has come to.
+/// Result of one iteration.
 enum Outcome {
     /// It goes on.
     GoesOn,
     /// The model is at its minimum.
     Converged,
-    /// No step makes what is violated less.
+    /// No step makes the violation smaller.
     Stuck,
 }
 
-/// What becomes of a step.
+/// Result of trying a step.
 enum Attempt {
-    /// It is better: what it gains over what was predicted.
+    /// It is better: ratio of the gain to the predicted one.
     Taken(f64),
-    /// It is not, and this is after it.
+    /// It is not better; the values after it.
     Refused(Box<Values>),
     /// A run ends with a fault there.
     Faulted,
@@ -82,7 +81,7 @@ enum Attempt {
 /// Finds the minimum of a program from a point within its bounds.
 ///
 /// # Errors
-/// The fault at that point; a search that does not end at a minimum that keeps what is demanded.
+/// The fault at that point; a search that does not end at a minimum that satisfies the constraints.
 pub(super) fn minimise<M: Optimisable, D: Integration<M>>(
     program: &mut Transcription<M, D>,
     start: DVector<f64>,
@@ -133,7 +132,7 @@ impl Search {
         let predicted = self.gain(&model_of_cost, &d) + self.weight * (before.sum - model.sum);
         let size = self.values.cost().abs() + self.weight * before.sum;
         if self.radius < SMALLEST {
-            // Rounding of what is violated refuses every step: without it the search goes on.
+            // Rounding of violations refuses every step: without it the search goes on.
             if self.restored < MOST_RESTORED && self.restore(program, &before) {
                 self.restored += 1;
                 self.radius = AGAIN;
@@ -174,7 +173,7 @@ impl Search {
         (0..self.z.len()).map(own).collect()
     }
 
-    /// Tries a step, remembers what it tells of the curvature, and corrects it where it is refused.
+    /// Tries a step, stores its information on the curvature, and corrects the step if it is refused.
     fn moved<M: Optimisable, D: Integration<M>>(
         &mut self,
         program: &mut Transcription<M, D>,
@@ -305,7 +304,7 @@ fn first_weight(values: &Values, sizes: &[f64]) -> f64 {
     largest.max(1.0)
 }
 
-/// What is violated.
+/// Violations of the constraints.
 struct Violations {
     sum: f64,
     largest: f64,

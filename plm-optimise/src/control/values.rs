@@ -13,14 +13,14 @@ pub(crate) struct Values {
     /// ... and this.
     pub(crate) linear: f64,
     pub(crate) linear_by: DVector<f64>,
-    /// What must vanish.
+    /// Values of equality constraints.
     pub(crate) equal: DVector<f64>,
     pub(crate) equal_by: DMatrix<f64>,
-    /// What must stay within bounds.
+    /// Values of inequality constraints, which have bounds.
     pub(crate) within: DVector<f64>,
     pub(crate) within_by: DMatrix<f64>,
     pub(crate) limits: Vec<[f64; 2]>,
-    /// The segment that each row of squares, of what must vanish and of what must stay within bounds belongs to.
+    /// The segment of each row of squares, of equality and of inequality constraints.
     pub(crate) owners: [Vec<usize>; 3],
     /// The variables that each segment depends on.
     pub(crate) columns: Vec<Vec<usize>>,
@@ -47,7 +47,7 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// Rows that nobody owns belong to a segment.
+    /// Assigns rows without a segment to this one.
     pub(super) fn own_up_to(&mut self, segment: usize) {
         let counts = [self.squares.len(), self.equal.len(), self.within.len()];
         for (owners, count) in self.owners.iter_mut().zip(counts) {

@@ -82,8 +82,8 @@ impl Experiment {
         Ok(Self::from_recording(&recording))
     }
 
-    /// Has the run begin at this time of the readings, s: clocks of instruments do not begin with the motion. Readings before it are left out;
-    /// of inputs the value that holds then is kept.
+    /// Has the run begin at this time of the readings, s: clocks of instruments do not begin with the motion. Readings before it are left
+    /// out; inputs begin with their value at that time.
     #[must_use]
     pub fn beginning_at(mut self, time: f64) -> Self {
         let mut from = self.times.partition_point(|own| *own < time);
@@ -203,13 +203,13 @@ pub(crate) struct Prepared<M> {
     pub(crate) outputs: Vec<Output>,
     pub(crate) signals: Vec<Signal>,
     pub(crate) unknowns: Vec<Place>,
-    /// What unknowns of all experiments do not change in this one.
+    /// Unknowns of all experiments that do not change in this one.
     pub(crate) fixed: Vec<Direction>,
     pub(crate) segments: usize,
 }
 
 impl<M: Optimisable> Prepared<M> {
-    /// Looks an experiment up.
+    /// Prepares an experiment.
     ///
     /// # Errors
     /// Names and units that are not there, readings that do not fit the times.
@@ -331,7 +331,7 @@ impl<M: Optimisable> Prepared<M> {
     }
 }
 
-/// What is wrong with an input.
+/// Error of an input.
 enum Wrong {
     Error(Error),
     Readings(String),

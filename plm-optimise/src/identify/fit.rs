@@ -8,7 +8,7 @@ use super::recording::Motion;
 use crate::mechanism::Optimisable;
 use crate::unknown::Place;
 
-/// Estimates of the unknowns, how well the readings tell them, and the residuals.
+/// Estimates of the unknowns, their accuracy, and the residuals.
 #[derive(Clone, Debug)]
 pub struct Fit<M: Optimisable> {
     /// The estimates: those that experiments have in common, then those of each.
@@ -16,13 +16,13 @@ pub struct Fit<M: Optimisable> {
     /// Covariance of the estimates, SI: of the linearised model at the estimates. Infinite on the diagonal where
     /// [`undetermined`](Self::undetermined) has a part, zero at a bound.
     pub covariance: DMatrix<f64>,
-    /// Combinations of unknowns that no reading tells.
+    /// Combinations of unknowns that no reading determines.
     pub undetermined: Vec<Combination>,
     /// Readings and residuals of each output of each experiment.
     pub residuals: Vec<Residuals>,
     /// Sum of squares of the residuals, each over the deviation of its reading; of expected values too.
     pub chi_squared: f64,
-    /// Number of readings and expected values less that of the unknowns that they tell.
+    /// Number of readings and expected values less that of the unknowns that they determine.
     pub freedoms: usize,
     /// Iterations of the search.
     pub iterations: usize,
@@ -42,7 +42,7 @@ pub struct Estimate {
     pub experiment: Option<usize>,
     /// The value, SI.
     pub value: f64,
-    /// Its standard error, SI; infinite where no reading tells it, zero at a bound.
+    /// Its standard error, SI; infinite if no reading determines it, zero at a bound.
     pub standard_error: f64,
     /// The unit of its declaration.
     pub unit: &'static str,
@@ -57,7 +57,7 @@ pub struct Estimate {
 pub struct Combination {
     /// Names of unknowns, and by how much each changes, SI, where the first changes by its own size.
     pub changes: Vec<(String, f64)>,
-    /// The same as fractions of the sizes of the unknowns.
+    /// The changes as fractions of the sizes of the unknowns.
     pub fractions: Vec<f64>,
 }
 
@@ -178,7 +178,7 @@ impl fmt::Display for Combination {
     }
 }
 
-/// Correlations from this one on are told.
+/// Correlations from this one on are reported.
 const STRONG: f64 = 0.95;
 
 impl<M: Optimisable> fmt::Display for Fit<M> {

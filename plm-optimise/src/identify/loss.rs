@@ -21,7 +21,7 @@ pub enum Loss {
 }
 
 impl Loss {
-    /// What a residual is replaced by, so that half its square is its loss, with the derivative by the residual.
+    /// Replacement of a residual, half of whose square is the loss, with its derivative by the residual.
     pub(crate) fn of(self, residual: f64) -> (f64, f64) {
         match self {
             Self::Huber(border) if residual.abs() > border => {
@@ -87,7 +87,7 @@ pub(super) fn settled<M: Optimisable, D: Integration<M>>(
             break;
         }
     }
-    // Readings and model are told apart by plain residuals.
+    // Plain residuals compare readings and model.
     problem.loss = Loss::Squares;
     found.at = problem.evaluate(&found.z)?;
     problem.loss = loss;

@@ -82,13 +82,13 @@ impl<M: Optimisable> Identification<M> {
         Self { loss, ..self }
     }
 
-    /// Tells a function of each iteration, on the thread of the search.
+    /// Calls a function after each iteration, on the thread of the search.
     #[must_use]
     pub fn watched_by(self, watch: impl Fn(&Progress) + Send + Sync + 'static) -> Self {
         Self { watch: Some(Watch(Arc::new(watch))), ..self }
     }
 
-    /// Ends the search once this is true: another thread sets it. It is asked before each iteration.
+    /// Ends the search once this is true: another thread sets it. It is read before each iteration.
     #[must_use]
     pub fn stopped_by(self, stop: Arc<AtomicBool>) -> Self {
         Self { stop, ..self }
@@ -192,7 +192,7 @@ fn check(places: &[Place], found: &Found) -> Result<(), Error> {
     Err(Error::NotConverged { why, best, plan: Vec::new(), rms })
 }
 
-/// Is what is left of the slope that of rounding, or far below what the readings tell?
+/// True if the rest of the slope is that of rounding, or far below the accuracy of the readings.
 fn is_flat(found: &Found, Left { promised, noise }: Left) -> bool {
     let Evaluation { residuals, constraints, .. } = &found.at;
     if constraints.iter().any(|open| open.abs() > 1e-7) {

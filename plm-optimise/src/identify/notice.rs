@@ -1,4 +1,4 @@
-//! What a fit says beside its numbers.
+//! Notices of a fit beside its numbers.
 
 use std::fmt;
 
@@ -9,9 +9,9 @@ use crate::mechanism::Optimisable;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Notice {
-    /// An unknown ends at its bound, which may be what holds it.
+    /// An unknown ends at its bound, which may be why it ends there.
     AtBound(Estimate),
-    /// A combination of unknowns that no reading tells.
+    /// A combination of unknowns that no reading determines.
     Untold(Combination),
     /// The model does not follow the readings of an output: the search has ended in a valley beside the right one, or the mechanism is
     /// another one.
@@ -50,8 +50,8 @@ const ALL_LEFT: f64 = 0.9;
 const ORDERED: f64 = 3.0;
 
 impl<M: Optimisable> Fit<M> {
-    /// What is to be looked at before the estimates are used: bounds that hold, combinations that no reading tells, and outputs that the
-    /// model does not follow. A search finds the minimum next to the guess; beside it there may be a deeper one.
+    /// Reasons to check the estimates before they are used: unknowns at bounds, combinations that no reading determines, and outputs that
+    /// the model does not follow. A search finds the minimum next to the guess; beside it there may be a deeper one.
     pub fn notices(&self) -> Vec<Notice> {
         let bounds = self.estimates.iter().filter(|own| own.bound.is_some()).cloned().map(Notice::AtBound);
         let untold = self.undetermined.iter().cloned().map(Notice::Untold);
@@ -98,7 +98,7 @@ impl Residuals {
 }
 
 /// By how many standard deviations the runs of one sign are more than by chance (A. Wald, J. Wolfowitz, Annals of Mathematical Statistics
-/// 11, 1940); 0 where there are too few residuals to tell.
+/// 11, 1940); 0 if there are too few residuals.
 fn disorder(residuals: &[f64]) -> f64 {
     let signs: Vec<bool> = residuals.iter().filter(|own| **own != 0.0).map(|own| *own > 0.0).collect();
     let above = signs.iter().filter(|is_above| **is_above).count() as f64;

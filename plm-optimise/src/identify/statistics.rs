@@ -1,5 +1,5 @@
-//! Covariance of estimates, and combinations that no reading tells, by the singular values of the Jacobian (G. A. F. Seber, C. J. Wild,
-//! Nonlinear Regression, 1989, 2.1 and 3.4).
+//! Covariance of estimates, and combinations that no reading determines, by the singular values of the Jacobian (G. A. F. Seber, C. J.
+//! Wild, Nonlinear Regression, 1989, 2.1 and 3.4).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -74,7 +74,7 @@ fn owners<M: Optimisable, D>(problem: &Readings<M, D>) -> Vec<Option<usize>> {
     owners
 }
 
-/// What readings tell.
+/// Accuracy of the unknowns by the readings.
 struct Told {
     /// With residuals of deviation 1.
     covariance: DMatrix<f64>,
@@ -82,7 +82,7 @@ struct Told {
     rank: usize,
 }
 
-/// What readings tell of the unknowns, which are the first variables, along the constraints.
+/// Covariance and undetermined combinations of the unknowns, which are the first variables, along the constraints.
 fn told(at: &Evaluation, places: &[Place], sizes: &[f64], at_bound: &[Option<f64>]) -> Told {
     let free: Vec<usize> =
         (0..sizes.len()).filter(|k| at_bound.get(*k).is_none_or(Option::is_none)).collect();

@@ -7,7 +7,7 @@ use crate::mechanism::Optimisable;
 
 impl<M: Optimisable> Fit<M> {
     /// A line for each unknown: its value, its standard deviation, its unit, and its correlations with the unknowns above. Below stand
-    /// combinations that no reading tells, the residuals of each output, and the reading that is farthest from the model.
+    /// combinations that no reading determines, the residuals of each output, and the reading that is farthest from the model.
     pub fn table(&self) -> String {
         let heads = ["unknown", "value", "deviation", "unit", "correlation"].map(str::to_owned);
         let correlation = self.correlation();
@@ -47,7 +47,7 @@ fn head(estimate: &Estimate) -> Vec<String> {
     vec![name, format!("{:.6}", Figure(value / factor)), deviation, unit.to_owned()]
 }
 
-/// Columns of one width, two blanks apart; words stand to the left, correlations to the right.
+/// Columns of one width, two blanks apart; texts are aligned to the left, correlations to the right.
 fn aligned(lines: &[Vec<String>]) -> String {
     let columns = lines.iter().map(Vec::len).max().unwrap_or_default();
     let width = |column: usize| {

@@ -1,9 +1,9 @@
-//! Whoever looks at a search while it goes on.
+//! Progress of a search, and its observer.
 
 use std::fmt;
 use std::sync::Arc;
 
-/// Where a search is after an iteration.
+/// Progress of a search after an iteration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Progress {
     /// Iterations so far.
@@ -14,7 +14,7 @@ pub struct Progress {
     pub values: Vec<(String, f64)>,
 }
 
-/// A function that is told of each iteration.
+/// A function that is called after each iteration.
 #[derive(Clone)]
 pub(crate) struct Watch(pub(crate) Arc<dyn Fn(&Progress) + Send + Sync>);
 

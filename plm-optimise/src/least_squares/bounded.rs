@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Evaluation;
 
-/// Where a component of a step ends.
+/// Position of a component of a step with respect to its bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     /// Between its bounds.
@@ -23,7 +23,7 @@ pub(super) enum Side {
 /// The quadratic function of a step: squares and constraints at a point, with damping.
 pub(super) struct Model<'a> {
     pub(super) at: &'a Evaluation,
-    /// What a unit of each scaled variable is divided by.
+    /// Scales: a variable is the scaled one over its width.
     pub(super) widths: &'a DVector<f64>,
     pub(super) damping: f64,
     /// Least and largest component of a step.
@@ -91,7 +91,7 @@ impl Model<'_> {
         match side {
             Side::Free if d < least => Some(Side::Least),
             Side::Free if d > most => Some(Side::Most),
-            // What has no room is held, whatever its slope is.
+            // A variable with equal bounds is fixed, for every slope.
             Side::Least | Side::Most if least == most => None,
             Side::Least if slope < -inward => Some(Side::Free),
             Side::Most if slope > inward => Some(Side::Free),

@@ -13,7 +13,7 @@ mod run;
 mod tables;
 mod text;
 
-/// What a package of a compiled mechanism has of `plm-planar`.
+/// Names that a package of a compiled mechanism takes from `plm-planar`.
 mod plm {
     pub(crate) use plm_foreign as foreign;
     pub(crate) use plm_python::run as python;
@@ -22,9 +22,9 @@ mod plm {
 
 use crate::run::Own;
 
-/// What a run is called where it is told that it is busy.
+/// Name of a run in the message that it is busy.
 const TITLE: &str = "the simulation";
-/// Where Python has its values.
+/// Module of Python that has the types of values.
 const VALUES: &str = "plm._values";
 
 include!("../../src/wheel/native.rs.txt");

@@ -1,4 +1,4 @@
-//! What a mechanism from text tells of itself, as Python has it.
+//! Tables of a mechanism from text, as values of Python.
 
 use plm_dynamic::Mechanism;
 use plm_foreign::Si;

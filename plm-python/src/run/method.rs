@@ -1,4 +1,4 @@
-//! A method of integration in the words of Python.
+//! Parses the method of integration by its names in Python.
 
 use plm_run::{BadOption, Integrator, nearest};
 

@@ -1,6 +1,6 @@
-//! What a package of Python has of a mechanism: a run by number, by a method that is named, which can be ended on its way.
+//! Runs of a mechanism for a Python package: numbers by index, a method by its name, and interruption during a run.
 //!
-//! `plm::view::wheel` writes such a package. The package `plm` of Python has the same of mechanisms from text.
+//! `plm::view::wheel` writes such a package. The package `plm` of Python has runs of mechanisms from text.
 
 mod method;
 mod record;
@@ -21,7 +21,7 @@ pub use record::{Asked, NoRoom, Record, room, rows};
 pub use running::{Running, Work};
 pub use words::words;
 
-/// What can run for Python: every mechanism in `f64`.
+/// Mechanisms that can run for Python: all in `f64`.
 pub trait Runnable:
     Described<S = f64, U: Discrete> + Statics + Linear<Lifted<1>: Described + Statics>
 {

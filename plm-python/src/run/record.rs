@@ -7,7 +7,7 @@ use plm_runtime::{Fault, Method, Moment, Seen, Sim};
 
 use super::{Runnable, number};
 
-/// What is recorded of a run, and until when.
+/// Request to record a run.
 #[derive(Clone, Copy)]
 pub struct Asked<'a> {
     /// When it ends, s.
@@ -59,11 +59,11 @@ const COPIES: f64 = 3.0;
 /// No machine has memory for so many: a terabyte. Some systems promise any amount.
 const MOST: f64 = 1.3e11;
 
-/// What a run has come to.
+/// Recorded rows and events of a run.
 pub struct Record {
     /// The times, s, then a column of each number that was asked for, SI.
     pub columns: Vec<Vec<f64>>,
-    /// When something switched, s, and what.
+    /// Times of events, s, and their names.
     pub events: Vec<(f64, &'static str)>,
 }
 

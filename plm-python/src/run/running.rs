@@ -1,4 +1,4 @@
-//! A run whose mechanism and method are known to somebody else: everything that Python asks of one.
+//! A run behind a dynamic interface, which hides mechanism and method: all operations that Python needs.
 
 use plm_analysis::{DMatrix, Linearisation, linearise};
 use plm_foreign::{Error, Kind, Status};
@@ -80,7 +80,7 @@ pub trait Running {
         found(self.then(Get { kind, index }))
     }
 
-    /// Sets a parameter, an input or a first-order state, SI. A parameter is looked at when the run goes on.
+    /// Sets a parameter, an input or a first-order state, SI. A parameter is checked when the run goes on.
     ///
     /// # Errors
     /// [`Status::NotFinite`], [`Status::NoSuch`]; [`Status::ReadOnly`] of all others.
@@ -126,17 +126,17 @@ pub trait Running {
         self.then(Recorded { asked, goes_on })
     }
 
-    /// What the user should know although the run goes on, what weighs most first.
+    /// Notices to the user that do not end the run, the most important one first.
     fn notices(&mut self) -> Vec<Notice> {
         self.then(Noticed {})
     }
 
-    /// What was done so far.
+    /// Counters of the run so far.
     fn stats(&mut self) -> Stats {
         self.then(Counted {})
     }
 
-    /// The names of the numbers of [`state`](Self::state), in the chart that is held.
+    /// The names of the numbers of [`state`](Self::state), in the present chart.
     fn state_names(&mut self) -> Vec<&'static str> {
         self.then(StateNames {})
     }
@@ -149,7 +149,7 @@ pub trait Running {
         self.then(StateOf {})
     }
 
-    /// Sets it. Loops are closed on the mirror image on which they are, and what is off the constraints is projected onto them.
+    /// Sets it. Loops are closed on the mirror image on which they are, and the state is projected onto the constraints.
     ///
     /// # Errors
     /// [`Cause::NotFinite`](plm_runtime::Cause::NotFinite): a number is none, or there are not as many as there are states.

@@ -16,7 +16,7 @@ fn places<M: Runnable>(mechanism: &M) -> impl Iterator<Item = usize> {
     (0..M::X::LEN).filter(|place| mechanism.has_number(*place))
 }
 
-/// The names of the numbers of a state, in the chart that is held.
+/// The names of the numbers of a state, in the present chart.
 pub(super) fn names<M: Runnable>(state: &M::State) -> Vec<&'static str> {
     let (mechanism, held) = (state.mechanism(), state.held());
     places(mechanism).map(|index| mechanism.name_in_chart(&held, index)).collect()
@@ -102,7 +102,7 @@ fn regular<M: Runnable>(state: &M::State) -> Result<(), Fault> {
     Err(Fault::new(state.time(), Cause::Singular { rows: mechanism.states() }))
 }
 
-/// What is held, and the state, in the best chart at the pose of a state whose loops are closed.
+/// Discrete state and state, in the best chart at the pose of a state whose loops are closed.
 fn closed<M: Runnable>(state: &M::State, x: &M::X) -> Result<(M::U, M::X), Fault> {
     let (mechanism, time, held) = (*state.mechanism(), state.time(), state.held());
     let wanted = M::full(&M::State::new(mechanism, held, time, *x));

@@ -1,8 +1,8 @@
-//! What went wrong, in the words of Python.
+//! Texts of faults for Python.
 
 use plm_runtime::{Cause, Fault};
 
-/// A fault with its time and its part. Words of the declaration stand in quotes of Python; what belongs to Rust is left out.
+/// Text of a fault with its time and its part. Names of the declaration stand in quotes of Python; details of Rust are left out.
 pub fn words(fault: &Fault) -> String {
     let cause = match fault.cause {
         // A run goes on without a chart; it is the rates alone that are not had there.

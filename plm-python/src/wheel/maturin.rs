@@ -13,7 +13,7 @@ type Built = (String, Vec<u8>);
 /// Further texts: name and contents.
 type Texts = [(String, String)];
 
-/// What of plm is compiled for a package.
+/// Folders of plm that are compiled for a package.
 const FOLDERS: [&str; 7] =
     ["src", "plm-macros", "plm-runtime", "plm-analysis", "plm-foreign", "plm-python", "plm-run"];
 const FILES: [&str; 4] = ["Cargo.toml", "README.md", "LICENSE-APACHE", "LICENSE-MIT"];
@@ -62,7 +62,7 @@ fn try_wheel(package: &Package<'_>, folder: &Path, texts: &Texts) -> Result<Buil
     package.write(folder).map_err(|error| error.to_string())?;
     write_all(folder, texts)?;
     let mut maturin = command("maturin".into());
-    // What is missing first is told first.
+    // Missing tools are reported first.
     maturin.arg("--version").output().map_err(|error| missing(&error))?;
     let mut maturin = command("maturin".into());
     maturin.args(["build", "--release", "--quiet", "--manifest-path"]).arg(folder.join("Cargo.toml"));
@@ -122,7 +122,7 @@ fn without_paths(package: &Package<'_>, folder: &Path) -> Result<[String; 2], St
     Ok([host.to_owned(), format!("target.{host}.rustflags=[{}]", flags.join(", "))])
 }
 
-/// Where cargo keeps sources.
+/// Folder in which cargo keeps sources.
 fn cargo_home() -> Option<PathBuf> {
     let home = || std::env::var_os("HOME").or_else(|| std::env::var_os("USERPROFILE"));
     let named = std::env::var_os("CARGO_HOME").map(PathBuf::from);
@@ -137,7 +137,7 @@ fn missing(error: &std::io::Error) -> String {
     }
 }
 
-/// What maturin makes in a folder that it has for itself.
+/// Name and bytes of the file that maturin writes to an empty folder of its own.
 fn made(mut maturin: Command, folder: &Path) -> Result<Built, String> {
     // One of another version may lie there.
     let _ = fs::remove_dir_all(folder);

@@ -13,11 +13,11 @@ use plm_view::package::{self, Output, Package, renew};
 
 use self::python::is_keyword;
 
-/// What all mechanisms have in common, in Python.
+/// Base class of all mechanisms, in Python.
 const MECHANISM: &str = include_str!("../../python/plm/_mechanism.py");
-/// What they give and tell.
+/// Types of values and faults.
 const VALUES: &str = include_str!("../../python/plm/_values.py");
-/// How callers' numbers are looked at.
+/// Checks of callers' numbers.
 const CHECKS: &str = include_str!("../../python/plm/_checks.py");
 /// Saved moments.
 const SAVED: &str = include_str!("../../python/plm/_saved.py");
@@ -85,7 +85,7 @@ fn package_name(name: &str) -> String {
     if is_taken { format!("{lower}_mechanism") } else { lower }
 }
 
-/// What maturin and pip read.
+/// Text of `pyproject.toml`, which maturin and pip read.
 fn project(name: &str, docs: &str) -> String {
     let about: String = docs.lines().next().unwrap_or_default().trim().replace(['"', '\\'], "'");
     format!(

@@ -4,13 +4,13 @@ use plm_foreign::{Foreign, Si, declared};
 use plm_runtime::described::Quantity;
 use plm_runtime::{Scalar, StartValues};
 
-/// Words that cannot be names.
+/// Keywords, which cannot be names.
 const KEYWORDS: [&str; 35] = [
     "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def",
     "del", "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is",
     "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try", "while", "with", "yield",
 ];
-/// What every mechanism has, in `_mechanism.py`.
+/// Members of every mechanism, in `_mechanism.py`.
 const MEMBERS: [&str; 22] = [
     "bodies",
     "contacts",
@@ -35,7 +35,7 @@ const MEMBERS: [&str; 22] = [
     "step",
     "time",
 ];
-/// Keywords of every mechanism, in `_mechanism.py`, as its types tell them.
+/// Keyword arguments of every mechanism, in `_mechanism.py`, with their types and defaults.
 const OWN: [(&str, &str, &str); 6] = [
     ("start", "Mapping[str, float] | None", "None"),
     ("method", "str", "\"dop853\""),
@@ -44,7 +44,7 @@ const OWN: [(&str, &str, &str); 6] = [
     ("time", "float", "0.0"),
     ("parameters", "Mapping[str, float] | None", "None"),
 ];
-/// What the module has beside the mechanism, and where it stands.
+/// Names of the module beside the mechanism, with the file of each.
 const COMMON: [(&str, &str); 9] = [
     ("_values", "Event"),
     ("_values", "Fault"),
@@ -158,7 +158,7 @@ pub(super) fn is_keyword(name: &str) -> bool {
     KEYWORDS.contains(&name)
 }
 
-/// A parameter in words.
+/// Text for a parameter.
 fn told(row: &Quantity) -> String {
     let default = row.default.map_or("to be given".to_owned(), |value| format!("{value:?} as declared"));
     let unit = Si(row).to_string();

@@ -45,7 +45,7 @@ pub fn two_sum<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -> (T, T
     (sum, (a - (sum - b_part)) + (b - b_part))
 }
 
-/// The same as [`two_sum`] in three operations, for |a| >= |b| or a = 0 (T. J. Dekker, 1971, (4.14)).
+/// Sum and rounding error as [`two_sum`] has them, in three operations, for |a| >= |b| or a = 0 (T. J. Dekker, 1971, (4.14)).
 #[inline]
 pub fn ordered_sum<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -> (T, T) {
     let sum = a + b;

@@ -1,4 +1,4 @@
-//! What the functions need of a floating-point type, beside its arithmetic.
+//! Operations of a floating-point type that the functions need beside its arithmetic.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -20,7 +20,7 @@ macro_rules! functions {
                 sin_cos::sin_cos_direct(x)
             }
 
-            /// Whether all angles are so small that [`sin_cos`] takes no branch: their sum is, which is looked at once.
+            /// True if all angles are so small that [`sin_cos`] takes no branch: one comparison of the sum of their absolute values.
             #[inline]
             pub fn are_direct<const N: usize>(x: [$float; N]) -> bool {
                 sin_cos::are_direct(x)

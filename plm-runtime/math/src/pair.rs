@@ -30,7 +30,7 @@ impl<F: Float> Pair<F> {
         self.high - self.less
     }
 
-    /// The same number with `high` its rounded value; needs |less| <= |high|.
+    /// Equal number with `high` its rounded value; needs |less| <= |high|.
     #[inline]
     pub(crate) fn rounded(self) -> Self {
         let high = self.value();

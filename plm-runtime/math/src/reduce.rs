@@ -35,7 +35,7 @@ const PI_OVER_2: u64 = 0xc90f_daa2_2168_c235;
 pub(crate) struct Reduced {
     /// Quarter turns taken away, modulo 4.
     pub(crate) quarters: usize,
-    /// Whether the rest is negative.
+    /// True if the rest is negative.
     pub(crate) negative: bool,
     /// The rest's magnitude is fraction * 2^(exponent - 64); one of the two highest bits of the fraction is set.
     pub(crate) fraction: u64,

@@ -25,7 +25,7 @@ use crate::scalar::Real;
 use crate::start::{Start, freedoms, values};
 use crate::vector::Vector;
 
-/// What to say of locks that are too many.
+/// Makes the cause of a fault of redundant locks.
 type LockCause = fn(usize, Names, Names) -> Cause;
 const POSITION: LockCause = |count, locks, joints| Cause::Redundant { count, locks, joints };
 const VELOCITY: LockCause = |count, locks, joints| Cause::VelocityRedundant { count, locks, joints };
@@ -91,7 +91,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     })
 }
 
-/// Where Newton's iteration ended.
+/// Result of Newton's iteration.
 #[derive(Clone, Copy)]
 pub(super) struct Pose<S, const NQ: usize, const NC: usize> {
     pub(super) q: [S; NQ],
@@ -125,7 +125,7 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     if let Some(fault) = disagreement(m, t, &pose.q) {
         return Err(fault);
     }
-    // Locks that are too many are the likelier mistake than joints that do not fit. A pose that closes without them tells.
+    // Too many locks are a likelier mistake than joints that do not fit. A pose that closes without locks shows it.
     if let Some(unlocked) = unlocked(m, t, start, free)
         && let Some(there) = Dependencies::at(m, t, &unlocked, free)
     {
@@ -134,8 +134,8 @@ fn close<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     searched(m, t, (start, free)).map_err(|nearest| lack(m, (t, nearest), free, &nearest))
 }
 
-/// A closed pose in which nothing is locked, where something is and such a pose is found that is not far from the start: one that is says
-/// nothing of the locks.
+/// A closed pose with nothing locked. `None` if nothing is locked, or if no such pose is near the start: a distant one says nothing about
+/// the locks.
 #[cold]
 #[inline(never)]
 fn unlocked<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
@@ -196,7 +196,7 @@ pub(super) fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     pose
 }
 
-/// The start velocity, corrected as little as possible; velocity locks are kept.
+/// The start velocity, corrected as little as possible; locked velocities are unchanged.
 fn start_velocity<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
@@ -238,7 +238,7 @@ fn reject_locks<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     if count == 0 {
         return Ok(());
     }
-    // A pose of zeros ties more than there is; the general one shows what is meant.
+    // A pose of zeros may have extra dependences; a neighbouring pose shows the usual ones.
     let found = if beside.of_locks < here.of_locks { &beside } else { here };
     let locks = Names::marked(m.layout().coordinates, &found.locks);
     let joints = Names::marked(m.layout().parts, &found.ties);

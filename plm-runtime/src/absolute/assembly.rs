@@ -1,11 +1,11 @@
-//! What assembly found.
+//! Result of an assembly.
 
 use core::fmt;
 
 use super::{Far, Layout};
 use crate::scalar::Real;
 
-/// A start that the joints allow, and how it relates to the one that was asked for.
+/// A start that the joints allow, compared with the one that was declared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assembly<S, const NQ: usize, const NC: usize> {
     /// Position, m and rad.
@@ -30,13 +30,13 @@ pub struct Assembly<S, const NQ: usize, const NC: usize> {
     pub status: Status,
     /// The rank is lower here than at neighbouring positions: a dead point or a change point.
     pub singular: bool,
-    /// The position turns a body further than what was missing at the start explains: it is hardly the one that was meant.
+    /// The position turns a body farther than the gaps at the start explain: probably not the intended one.
     pub far: Option<Far<S>>,
     /// How the position was found.
     pub found: Found,
     /// Newton steps.
     pub iterations: u32,
-    /// What the joints are open by, m or rad.
+    /// Largest remaining gap of the joints, m or rad.
     pub gap: S,
     pub(super) layout: &'static Layout,
 }

@@ -18,7 +18,7 @@ const FLAT: f64 = 1e-9;
 /// Ways to look for another image.
 const WAYS: [Way; 3] = [Way::Mirrored, Way::Second, Way::First];
 
-/// A revolute that asks for one of the mirror images of its loop: which way its second body turns from the first.
+/// A revolute that asks for one of the mirror images of its loop: the side to which its second body turns from the first.
 #[derive(Clone, Copy, Debug)]
 pub struct Branch<S> {
     /// Name of the joint.
@@ -34,7 +34,7 @@ pub struct Branch<S> {
     pub left: bool,
 }
 
-/// What is moved.
+/// Motion that leads to the other image.
 #[derive(Clone, Copy)]
 enum Way {
     Mirrored,
@@ -95,7 +95,7 @@ impl<S: Real> Branch<S> {
         [position(q, first, from), position(q, first, middle), position(q, second, to)]
     }
 
-    /// How far the second body turns from the first, rad.
+    /// The angle by which the second body is turned from the first, rad.
     fn turned<const NQ: usize>(&self, q: &[S; NQ]) -> S {
         let [from, middle, to] = self.corners(q);
         angle(middle, to) - angle(from, middle)
@@ -135,7 +135,7 @@ fn angle<S: Real>(from: [S; 2], to: [S; 2]) -> S {
     (to[1] - from[1]).atan2(to[0] - from[0])
 }
 
-/// Turns a body about a point.
+/// Rotates a body about a point.
 fn rotate<S: Real, const NQ: usize>(q: &mut [S; NQ], body: usize, about: [S; 2], by: S) {
     let (sin, cos) = by.sin_cos();
     let [x, y] = [q.at(3 * body) - about[0], q.at(3 * body + 1) - about[1]];

@@ -7,7 +7,7 @@ use crate::limits::{Limit, refused};
 use crate::scalar::Real;
 use crate::workspace;
 
-/// Looks at the coordinates without mass or inertia at the assembled position: those must move with others.
+/// Checks the coordinates without mass or inertia at the assembled position: every motion must move others with them.
 ///
 /// The kinetic energy is positive for every motion just if no motion that the joints allow moves nothing but these: no
 /// combination of their columns of phi_q vanishes. `limits` has mass and inertia of every body.

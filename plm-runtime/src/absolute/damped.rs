@@ -2,7 +2,7 @@
 //!
 //! K. Levenberg, A method for the solution of certain non-linear problems in least squares, Q. Appl. Math. 2, 1944, with the
 //! damping of D. W. Marquardt, J. SIAM 11, 1963: `(A^T A + mu) d = A^T f`, whose solution is found by conjugate gradients
-//! (M. R. Hestenes, E. Stiefel, J. Res. NBS 49, 1952), so that no matrix is held. `A` is `phi_q` in numbers without unit: rows
+//! (M. R. Hestenes, E. Stiefel, J. Res. NBS 49, 1952), so that no matrix is stored. `A` is `phi_q` in numbers without unit: rows
 //! and columns in m are measured by the mechanism's length, those in rad by the radian.
 
 use super::Absolute;
@@ -66,7 +66,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Measure<S, NQ, NC> {
         (forth, back)
     }
 
-    /// `phi_q d` of a displacement that leaves alone what is locked.
+    /// `phi_q d` of a displacement of the free coordinates alone.
     pub(super) fn opened<M: Absolute<S, NQ, NC>>(
         &mut self,
         m: &M,

@@ -1,4 +1,4 @@
-//! Joints that repeat each other and hold lengths that disagree.
+//! Redundant joints whose lengths contradict each other.
 
 use super::Absolute;
 use super::newton::by_rank;

@@ -1,8 +1,8 @@
-//! Starts that close only far away: a pose is far where it turns a body by more than what was missing explains.
+//! Starts that close only far away: a pose is far if it turns a body by more than the gaps at the start explain.
 //!
-//! Joints that are open by a share `g` of the mechanism's length are closed by turns of the order of `g`, and beside a dead point, where
-//! lengths change with the square of an angle, of `sqrt(g)`. A pose much further away is another one than was drawn: the other image of a
-//! loop, or one after a dead point that the lengths do not reach.
+//! Joints that are open by a share `g` of the mechanism's length are closed by rotations of the order of `g`, and next to a dead point,
+//! where lengths change with the square of an angle, of `sqrt(g)`. A pose much farther away is another one than was drawn: the other image
+//! of a loop, or one after a dead point that the lengths do not reach.
 
 use core::fmt;
 
@@ -16,21 +16,21 @@ use crate::scalar::Real;
 use crate::start::{Start, values};
 use crate::vector::Vector;
 
-/// So many times the root of the share that is missing are explained, rad.
+/// Rotations of so many times the root of the missing share are explained by it, rad.
 const EXPLAINED: f64 = 8.0;
-/// Turns that are looked at, rad.
+/// Smallest rotation that is checked, rad.
 const LOOKED_AT: f64 = 0.3;
-/// Another pose is taken if the squares of its turns are less than this part.
+/// Another pose is taken if the sum of the squares of its rotations is less than this part.
 const NEARER: f64 = 0.9;
 
-/// What a start that closes only far away was turned by, and what it was open by.
+/// A start that closes only far away: how far a body was turned, and how far the joints were open.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Far<S> {
-    /// The angle that was turned most of those that were given, as `arm.angle`.
+    /// The given angle that was turned most, as `arm.angle`.
     pub coordinate: &'static str,
     /// By how much it was turned, rad.
     pub turned: S,
-    /// What joints were open by in the start as declared, m.
+    /// Gap of the joints in the start as declared, m.
     pub missing: S,
 }
 
@@ -90,9 +90,9 @@ pub(super) fn look_nearer<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, cons
     }
 }
 
-/// The largest violation of the start as declared, as a share of the length or in rad. Where constraints and locks leave no freedom, it is
-/// also looked at with the bodies in their places, since positions may be left out; with freedoms the shortest steps to their places turn
-/// bodies too.
+/// The largest violation of the start as declared, as a share of the length or in rad. If constraints and locks leave no freedom, the
+/// violation with the bodies moved to their places counts if it is smaller, since positions may be left out; with freedoms the shortest
+/// steps to their places turn bodies too.
 #[cold]
 #[inline(never)]
 fn missing<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
@@ -113,6 +113,6 @@ fn missing<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         Measure::new(m, &free).descend(m, t, &mut q, PLACING);
     }
     let placed = Measure::new(m, free).size(m, t, &q);
-    // What is not a number is not less.
+    // NaN is not less.
     if placed < declared { placed } else { declared }
 }

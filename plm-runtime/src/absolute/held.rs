@@ -1,4 +1,4 @@
-//! Constraints with a condition that hold where a run begins: assembly closes them with the joints.
+//! Constraints with a condition that holds at the start: assembly closes them with the joints.
 
 use super::{Absolute, Branch, Layout, assemble};
 use crate::fault::Fault;
@@ -23,15 +23,15 @@ pub trait Conditional<S: Real, const NQ: usize, const NC: usize, const K: usize>
     fn conditional_q(&self, t: S, q: &[S; NQ], each: &mut impl FnMut(usize, usize, S));
 }
 
-/// The constraints of the joints, `NC`, and after them `K` of which those hold that `holds` says; `ALL` is the sum of both. Rows that do
-/// not hold are zero everywhere.
+/// The `NC` constraints of the joints, and after them the `K` conditional ones, of which `holds` marks those in force; `ALL` is the sum of
+/// both numbers. Rows that are not in force are zero everywhere.
 struct Joined<'a, M, const NC: usize, const K: usize, const ALL: usize> {
     mechanism: &'a M,
     holds: [bool; K],
 }
 
-/// Position and velocity at the time `t` that the joints allow, and those constraints with a condition that are marked in `holds`;
-/// reached from the start values as by [`assemble`]. `ALL` is `NC + K`.
+/// Position and velocity at the time `t` that satisfy the joints and those conditional constraints that are marked in `holds`; reached from
+/// the start values as by [`assemble`]. `ALL` is `NC + K`.
 ///
 /// # Errors
 /// Those of [`assemble`].
@@ -53,7 +53,7 @@ pub fn assemble_held<
 }
 
 impl<M, const NC: usize, const K: usize, const ALL: usize> Joined<'_, M, NC, K, ALL> {
-    /// Residuals of the joints, and after them those of the others, zero where these do not hold.
+    /// Residuals of the joints, and after them those of the conditional constraints, zero if these are not in force.
     fn residuals<S: Real>(&self, joints: &[S; NC], others: &[S; K]) -> [S; ALL] {
         let held: [S; K] = core::array::from_fn(|k| if self.holds[k] { others[k] } else { S::ZERO });
         let all = joints.iter().chain(&held);
@@ -92,7 +92,7 @@ where
         });
     }
 
-    /// Rows that do not hold have no pivot: every step is by rank.
+    /// Rows that are not in force have no pivot: every step is by rank.
     fn min_norm(&self, _t: S, _q: &[S; NQ], _w: &[S; NQ], _r: &[S; ALL], _dq: &mut [S; NQ]) -> Health<S> {
         Health(S::ZERO)
     }

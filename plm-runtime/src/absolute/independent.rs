@@ -14,11 +14,11 @@ pub(super) fn moving_tolerance<S: Real>() -> S {
     dependent()
 }
 
-/// The independent combinations of the rows of A = phi_q W^1/2, orthogonal to each other, with the same combinations of
-/// what stands beside them: right-hand sides, or the identity, which becomes W with W A in the place of A.
+/// The independent combinations of the rows of A = phi_q W^1/2, orthogonal to each other, with the same combinations of `beside`:
+/// right-hand sides, or the identity, which becomes W with W A in the place of A.
 ///
-/// Whether rows are independent is a matter of geometry: it is decided with every column scaled to 1, so that neither
-/// units nor the metric W have a say (a light link may carry a heavy body, a mechanism may be small).
+/// The independence of rows is a matter of geometry: it is decided with every column scaled to 1, so that neither units nor the metric W
+/// matter (a light link may carry a heavy body, a mechanism may be small).
 ///
 /// It works in the place of A: large mechanisms have no room on a stack for a second matrix.
 pub(super) struct Independent<'a, S, const NQ: usize, const NC: usize, const BESIDE: usize> {
@@ -26,7 +26,7 @@ pub(super) struct Independent<'a, S, const NQ: usize, const NC: usize, const BES
     rows: &'a mut [[S; NQ]; NC],
     /// Squares of their norms.
     squares: [S; NC],
-    /// What stands beside them.
+    /// Right-hand sides of the rows, or the identity.
     beside: &'a mut [[S; BESIDE]; NC],
 }
 

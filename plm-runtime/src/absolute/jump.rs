@@ -1,13 +1,13 @@
-//! Rows whose two sides differ where a condition in them changes: what they hold would have to jump.
+//! Rows whose two sides differ at the boundary of a condition in them: their value would have to jump.
 
 use super::Absolute;
 use super::scale::Scale;
 use crate::fault::{Cause, Fault};
 use crate::scalar::Real;
 
-/// What jumps by less than this part of the size of the scene, or of its speed, is how exactly the boundary was found.
+/// A jump below this part of the size of the scene, or of its speed, is the error with which the boundary was located.
 const FOUND: f64 = 1e-6;
-/// A step that came to nothing this near before a boundary, in s and as a part of the time, came to nothing there.
+/// A step that failed this near before a boundary, in s and as a part of the time, counts as failed at the boundary.
 const NEAR: f64 = 1e-6;
 
 /// A row at the boundary of a condition in it.
@@ -18,7 +18,7 @@ pub struct Crossing<S> {
     /// The value of phi on one side less that on the other, its first and its second derivative along the motion; what
     /// vanishes on the boundary, and its derivative.
     pub terms: [S; 5],
-    /// Its condition changes now; else it is only looked whether a boundary is near.
+    /// True if its condition changes now; false if the boundary is only checked for being near.
     pub changes: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What a mechanism lacks that no pose closes: how far it stays open at one joint where all others are closed.
+//! The gap of a mechanism that no pose closes: how far it stays open at one joint if all others are closed.
 
 use super::damped::Measure;
 use super::newton::refused;
@@ -7,7 +7,7 @@ use crate::fault::{Cause, Fault};
 use crate::linalg::largest;
 use crate::scalar::Real;
 
-/// Weights of a joint that is to take all that others cannot give, one after the other.
+/// Factors of the weights of the joint that is to take the whole gap, one after the other.
 const YIELDING: [f64; 3] = [0.1, 0.3, 0.3];
 /// Damped steps with each, and the part of the violation that each takes away.
 const STEPS: (u32, f64) = (300, 1e-8);
@@ -15,7 +15,7 @@ const STEPS: (u32, f64) = (300, 1e-8);
 const ALIKE: f64 = 0.1;
 /// Joints that are open by as much share one tension.
 const AS_MUCH: f64 = 0.99;
-/// Pins are told rather than what guides or drives, where they are open by this part of it.
+/// A pin is reported rather than a guide or a drive if it is open by at least this part of that one's gap.
 const PIN: f64 = 0.1;
 
 /// The fault of joints that cannot be closed, from the pose `q` at which they are open least; the joint is the one that is

@@ -3,10 +3,10 @@
 //! | function | does |
 //! |---|---|
 //! | [`assemble`] | finds a start position and velocity that the joints allow |
-//! | [`assemble_held`] | the same with the constraints whose condition holds there |
-//! | [`renew`] | the same from where a run is, after a parameter was changed |
-//! | [`jump`] | looks at prescribed motions where they change |
-//! | [`check_carried`] | looks at bodies without mass |
+//! | [`assemble_held`] | as `assemble`, with the conditional constraints that are in force |
+//! | [`renew`] | reassembles a running mechanism from its present pose, after a parameter was changed |
+//! | [`jump`] | checks prescribed motions for jumps at boundaries of their conditions |
+//! | [`check_carried`] | checks bodies without mass |
 //! | [`project`] | projects a state that drifted back onto the constraints |
 //! | [`accelerate`] | accelerations and multipliers by rank, where elimination without pivoting is unhealthy |
 

@@ -1,4 +1,4 @@
-//! The state on the constraints that is nearest to one beside them, as exactly as the numbers can tell.
+//! The state on the constraints that is nearest to a given one, to rounding.
 
 use super::newton::without_pivoting;
 use super::{Absolute, join, split};
@@ -90,7 +90,7 @@ pub fn flat_part<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usi
         let r = Vector::from_fn(|j| if j == row { S::lit(1.0) } else { S::ZERO });
         let mut dq = [S::ZERO; NQ];
         m.min_norm(t, q, &[S::lit(1.0); NQ], &r, &mut dq);
-        // What is not a number is as long as can be.
+        // NaN counts as infinitely long.
         let way = largest(&dq);
         let is_shorter = way <= longest;
         if !is_shorter {

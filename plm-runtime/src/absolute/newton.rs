@@ -59,8 +59,8 @@ pub(super) fn refused<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC
     (!healthy).then_some(Fault::new(t.to_f64(), cause))
 }
 
-/// The same with as many independent rows as there are. It holds the one matrix of phi_q, which steps that are healthy
-/// must not pay for.
+/// As [`without_pivoting`], with as many independent rows as there are. It stores the one matrix of phi_q, for which healthy steps must not
+/// pay.
 #[cold]
 #[inline(never)]
 pub(super) fn by_rank<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(

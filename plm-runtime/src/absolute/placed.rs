@@ -1,8 +1,8 @@
 //! Starts by angles alone: the bodies are placed by their joints, at the angles that were given.
 //!
-//! Positions that are not declared are zero. Where the mechanism stands elsewhere, the shortest steps close such gaps by turning
-//! bodies too: by whole turns, or onto another image of a loop. With the bodies in their places the gaps are those of the angles.
-//! An angle that nobody gave has no say: it is zero by default, and its body may belong anywhere.
+//! Positions that are not declared are zero. If the mechanism stands elsewhere, the shortest steps close such gaps by turning bodies too:
+//! by whole revolutions, or onto another image of a loop. With the bodies in their places the gaps are those of the angles. An angle that
+//! was not given does not count: it is zero by default, and its body may belong anywhere.
 
 use super::Absolute;
 use super::assemble::{Pose, newton};
@@ -16,14 +16,14 @@ use crate::vector::Vector;
 const DOUBTED: [f64; 2] = [core::f64::consts::FRAC_PI_2, 0.4];
 /// Positions are declared where none moves by more than this part of the mechanism's length.
 const IN_PLACE: f64 = 0.25;
-/// Another pose is taken if the squares of its turns are less than this part.
+/// Another pose is taken if the sum of the squares of its rotations is less than this part.
 const NEARER: f64 = 0.5;
 /// Damped steps to the places, and the part of the violation that each takes away.
 pub(super) const PLACING: (u32, f64) = (60, 1e-9);
 /// Damped steps to a closed pose, likewise.
 const CLOSING: (u32, f64) = (60, 1e-3);
 
-/// So much beyond half a turn, in turns, is rounding.
+/// Rounding error of half a revolution, in revolutions.
 const ROUNDING: f64 = 1e-6;
 
 /// A start that steps begin with.
@@ -57,7 +57,7 @@ impl<'a, S: Real, const NQ: usize> Begin<'a, S, NQ> {
         self.turned(q).fold(S::ZERO, |sum, by| by.mul_add(by, sum))
     }
 
-    /// Takes off whole turns: beyond half a turn from an angle that was given, beyond a whole one from another.
+    /// Removes whole revolutions: beyond half a revolution from an angle that was given, beyond a whole one from another.
     fn unwind<M: Absolute<S, NQ, NC>, const NC: usize>(&self, m: &M, t: S, pose: &mut Pose<S, NQ, NC>) {
         let whole = |k: usize, turns: S| {
             let beyond = if self.given.get(k) == Some(&true) { 0.5 - ROUNDING } else { 0.0 };
@@ -68,7 +68,7 @@ impl<'a, S: Real, const NQ: usize> Begin<'a, S, NQ> {
     }
 }
 
-/// Takes whole turns from the start off a pose.
+/// Removes whole revolutions relative to the start from a pose.
 #[inline(never)]
 pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
@@ -79,8 +79,8 @@ pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     Begin::new(m, &values(start), free).unwind(m, t, pose);
 }
 
-/// Puts in the place of a closed pose one that turns the bodies less from the angles that were given, if there is one, where it
-/// turns them far and moves them from their places.
+/// Replaces a closed pose by one that turns the bodies less from the given angles, if there is one. It searches only if the pose turns them
+/// far and moves them from their places.
 #[inline(never)]
 pub(super) fn bring_nearer<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,

@@ -89,7 +89,7 @@ pub fn residuals<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usi
     m.phi(t, &q).into_iter().chain(m.phi_dot(t, &q, &v)).for_each(row);
 }
 
-/// What is left of the applied forces where joints carry `lambda`: phi_q^T lambda - Q.
+/// Residual of the force balance with the multipliers `lambda`: phi_q^T lambda - Q.
 pub fn balance<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,
@@ -121,7 +121,7 @@ pub(super) fn widest<S: Real, const NC: usize>(violation: &[S; NC], layout: &Lay
     widest.0
 }
 
-/// What residuals are rounding of numbers of the given size, and their measure.
+/// Bound below which residuals are rounding of numbers of the given size, and the measure of residuals.
 fn rounding<S: Real, const NC: usize>(size: S) -> (S, impl Fn(&[S; NC]) -> S) {
     (S::EPSILON * size, |r: &[S; NC]| largest(r))
 }

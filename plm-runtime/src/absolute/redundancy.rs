@@ -60,8 +60,8 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         }
     }
 
-    /// The same by orthogonalisation, where singular values below `tolerance` of the largest count as zero. It holds two
-    /// matrices, which starts of healthy mechanisms must not pay for.
+    /// Dependencies by orthogonalisation; singular values below `tolerance` of the largest count as zero. It stores two matrices, for which
+    /// starts of healthy mechanisms must not pay.
     #[cold]
     #[inline(never)]
     pub(super) fn by_rank<S: Real, M: Absolute<S, NQ, NC>>(
@@ -101,7 +101,7 @@ impl<const NQ: usize, const NC: usize> Dependencies<NQ, NC> {
         Some(found)
     }
 
-    /// Tells combinations `y` of so many rows with locks (`z`) from those without.
+    /// Separates combinations `y` of so many rows into those with locks (`z`) and those without.
     fn sort<S: Real>(&mut self, count: usize, z: &mut [[S; NQ]; NC], y: &mut [[S; NC]; NC]) -> Option<()> {
         let (tied, least) = (rotate(z, y)?, S::RANK_TOLERANCE);
         self.of_locks = tied.rank(least);

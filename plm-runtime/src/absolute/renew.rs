@@ -17,7 +17,7 @@ use crate::vector::Vector;
 const STEPS: (u32, f64) = (100, 1e-6);
 
 /// Closes the joints from the present pose as the start, with nothing locked, and gives the velocities that the joints
-/// allow nearest to the present ones. What is closed already stays as it is, to the bit.
+/// allow nearest to the present ones. A closed pose is unchanged, to the bit.
 ///
 /// # Errors
 /// [`Cause::NotFinite`], [`Cause::Open`], [`Cause::VelocityOpen`]; the part is the joint that stays open, where all others are closed.
@@ -39,7 +39,7 @@ pub fn renew<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
         if !is_closed(&pose.q, &pose.phi) {
             pose = damped(m, t, q, &free)?;
         }
-        // Springs and conditions feel whole turns.
+        // Springs and conditions read angles including whole revolutions.
         unwind(m, t, &mut pose, (q, &free), &nearest_turns);
         *q = pose.q;
     }

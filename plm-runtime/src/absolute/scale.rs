@@ -1,4 +1,4 @@
-//! What residuals are measured by: rows in m by the size of the scene and how far it reaches, rows in rad by the radian.
+//! Scales of residuals: rows in m by the size and the reach of the scene, rows in rad by the radian.
 
 use super::Absolute;
 use crate::linalg::largest;
@@ -72,7 +72,7 @@ impl<S: Real> Scale<S> {
     }
 }
 
-/// The largest of places (or speeds), and of angles (or turns).
+/// The largest of places (or speeds), and of angles (or angular velocities).
 fn apart<S: Real, const NQ: usize>(q: &[S; NQ]) -> (S, S) {
     let (mut place, mut turn) = (S::lit(0.0), S::lit(0.0));
     for (k, value) in q.iter().enumerate() {

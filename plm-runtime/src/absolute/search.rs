@@ -24,12 +24,11 @@ const MOST_WORK: u32 = 100_000;
 const MOST_STEPS: u32 = 300;
 /// Newton's steps follow where the violation is below this part of the mechanism's length.
 const NEAR: f64 = 1e-3;
-/// Where the start itself is open by less than this part of the length, lengths that repeat each other disagree: no pose far away
-/// is what was meant.
+/// If the start itself is open by less than this part of the length, redundant lengths disagree: no distant pose is the intended one.
 const DISAGREE: f64 = 1e-4;
 /// Steps back towards the start values.
 const LEANS: u32 = 8;
-/// Numbers of turns that gears may have in common, which are tried: the teeth of one of them, mostly.
+/// Largest common number of revolutions of gears that is tried: mostly the number of teeth of one of them.
 const COMMON_TURNS: u32 = 128;
 
 /// Of the poses that close the joints, the one that misses the fewest images and is nearest to the start values in the metric
@@ -60,7 +59,7 @@ pub(super) fn search<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
             if size < least.0 {
                 least = (size, q);
             }
-            // What is not a number is not near.
+            // NaN is not near.
             let is_near = size < S::lit(NEAR);
             if !is_near {
                 continue;
@@ -98,13 +97,13 @@ fn distance<S: Real, const NQ: usize>(q: &[S; NQ], start: &[S; NQ]) -> S {
     })
 }
 
-/// The whole turns that leave an angle nearest to its start value.
+/// The number of revolutions whose removal leaves an angle nearest to its start value.
 pub(super) fn nearest_turns<S: Real>(_: usize, turns: S) -> S {
     (turns + S::lit(0.5)).floor()
 }
 
-/// Takes off whole turns from the start values, where joints are closed without them too: of each angle as many as `whole` makes of
-/// the turns by which it has moved.
+/// Removes whole revolutions since the start values, if the joints are closed without them too: of each angle as many as `whole` makes of
+/// the revolutions by which it has moved.
 #[inline(never)]
 pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
@@ -119,7 +118,7 @@ pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     if (2..3 * bodies).step_by(3).all(|k| of(&pose.q, k) == S::ZERO) {
         return;
     }
-    // All bodies together, since joints may hold their angles against each other; else one by one.
+    // All bodies together, since joints may tie their angles to each other; else one by one.
     for only in (0..=bodies).map(|body| body.checked_sub(1)) {
         let mut q = pose.q;
         let bodies = (0..bodies).filter(|body| only.is_none_or(|only| only == *body));
@@ -136,8 +135,8 @@ pub(super) fn unwind<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC:
     unwind_geared(m, t, pose, (start, free), whole);
 }
 
-/// Takes off whole turns of bodies that gears tie: of all together, in the proportion in which they have turned. The body that has turned
-/// most loses as many as it may, or a few less, where that leaves joints closed.
+/// Removes whole revolutions of bodies that gears tie: of all together, in the proportion in which they have turned. The body that has
+/// turned most loses as many as it may, or a few less, if that leaves joints closed.
 fn unwind_geared<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,

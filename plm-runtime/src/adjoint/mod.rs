@@ -88,7 +88,7 @@ pub fn adjoint<'t, P: Copy, S: Real, const R: usize>(
 /// Segments end at a step's end that is at most this part of their length before the last one for which there is room.
 const FAR: u64 = 16;
 
-/// What is made again and again.
+/// A run that is recorded segment by segment, as often as needed.
 struct Replay<'t, S, F, G> {
     trace: &'t Trace<'t, S>,
     /// Terms of what was computed before the run.
@@ -97,7 +97,7 @@ struct Replay<'t, S, F, G> {
     results: G,
 }
 
-/// What is known after the run.
+/// Results of the forward sweep.
 struct Forward<'t, S, const R: usize> {
     results: [Traced<'t, S>; R],
     /// The place after its last term.
@@ -128,8 +128,8 @@ impl<'t, S: Real, F, G> Replay<'t, S, F, G> {
         (self.trace.room() as u64).saturating_sub(self.prefix)
     }
 
-    /// Keeps a state as the end of a segment, unless the last one that was kept is not far behind: a copy of a state takes as long as a
-    /// part of a step.
+    /// Saves a state as the end of a segment, if the last saved one is far enough behind: a copy of a state costs as much as part of a
+    /// step.
     fn keep<P: Copy>(&self, before: &mut Saved<P>, state: &P) {
         let place = self.trace.next();
         if place - before.place >= self.room() / FAR {

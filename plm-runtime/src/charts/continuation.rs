@@ -4,7 +4,7 @@ use crate::held::Loops;
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// What is held of loops.
+/// Discrete state of the loops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OfLoops<M, Q> {
     /// Coordinates of a chart.
@@ -14,7 +14,7 @@ pub enum OfLoops<M, Q> {
         /// Continuation data of the last checked state.
         continuation: M,
     },
-    /// Where no chart is good: pose and velocity of all bodies.
+    /// No chart is good: pose and velocity of all bodies.
     Free {
         /// Pose.
         q: Q,
@@ -32,23 +32,22 @@ pub struct Continuation<S, const Y: usize, const T: usize, const A: usize, const
     pub time: Reach<S>,
     /// The angle of each class of bodies that turn as one.
     pub angles: [Angle<S>; T],
-    /// The determinant of each loop, whose sign tells its mirror images apart.
+    /// The determinant of each loop, whose sign identifies its mirror image.
     pub determinants: [S; A],
     /// The unknowns that iterations start from.
     pub iterated: [Iterated<S>; F],
 }
 
-/// Where a coordinate or the time was at the last look, and how far it may move until the next one; negative where every
-/// state is looked at.
+/// Value of a coordinate or of the time at the last check, and how far it may move until the next one; negative if every state is checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach<S> {
-    /// The value at the last look.
+    /// The value at the last check.
     pub last: S,
-    /// Its box: so far it may move from there, and farther where that is far.
+    /// Half the width of its interval: so far it may move before the next check. Far from flat poses the checks allow a multiple of it.
     pub reach: S,
 }
 
-/// An angle, which is known without whole turns lost, with its direction.
+/// An angle that includes all revolutions, with its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Angle<S> {
     /// The angle, rad.
@@ -76,24 +75,24 @@ pub trait ContinuationData<S>: Copy {
     fn nothing() -> Self;
     /// The coordinates of the chart.
     fn coordinates(&self) -> &[Reach<S>];
-    /// The same, to bring them back by whole turns.
+    /// The coordinates, mutable: for removing whole revolutions.
     fn coordinates_mut(&mut self) -> &mut [Reach<S>];
     /// The time.
     fn time(&self) -> Reach<S>;
     /// The angles.
     fn angles(&self) -> &[Angle<S>];
-    /// The same, to bring them back by whole turns.
+    /// The angles, mutable: for removing whole revolutions.
     fn angles_mut(&mut self) -> &mut [Angle<S>];
     /// The determinants.
     fn determinants(&self) -> &[S];
     /// The unknowns of iterations.
     fn iterated(&self) -> &[Iterated<S>];
-    /// The same, to write what two looks tell together.
+    /// The unknowns of iterations, mutable: for the curvature that two checks give together.
     fn iterated_mut(&mut self) -> &mut [Iterated<S>];
-    /// Puts every number of `one` to that in its place.
+    /// Copies every number of `one` into its place here by `put`.
     fn put(&mut self, one: &Self, put: impl Fn(&mut S, S));
 
-    /// Makes the boxes of the coordinates narrower by a factor.
+    /// Multiplies the widths of the intervals about the coordinates by a factor.
     #[inline]
     fn narrow(&mut self, by: S)
     where
@@ -119,7 +118,7 @@ pub trait ContinuationData<S>: Copy {
         self.iterated().iter().fold(all, iterated)
     }
 
-    /// Every number of it is one. The reach of the time may be infinite: what is prescribed may rest.
+    /// True if every number is finite. The reach of the time may be infinite: a prescribed motion may rest.
     #[inline]
     fn is_finite(&self) -> bool
     where
@@ -128,7 +127,7 @@ pub trait ContinuationData<S>: Copy {
         self.fold(true, |finite, number| finite && number.is_finite()) || self.is_finite_at_rest()
     }
 
-    /// The same with an infinite reach of the time.
+    /// As [`is_finite`](Self::is_finite), allowing an infinite reach of the time.
     #[cold]
     fn is_finite_at_rest(&self) -> bool
     where

@@ -1,4 +1,4 @@
-//! Whether a state can have come from the last one that was looked at, and what the two tell together.
+//! Continuity check: could a state have come from the last checked one, and the continuation data that both give together.
 
 use crate::charts::{Charted, ContinuationData, OfLoops, square};
 use crate::fault::{Cause, Fault};
@@ -17,8 +17,8 @@ pub(super) struct Looks<'a, M: Charted> {
 }
 
 impl<M: Charted> Looks<'_, M> {
-    /// Is the state so near to the last one that was looked at that no loop can have gone through a flat pose? What the
-    /// distances tell of it at one of the two is enough; for the time it must hold at both.
+    /// Checks that the state is so near to the last checked one that no loop can have gone through a flat pose. Each coordinate must be
+    /// within a multiple of the reach of either state, the time within that of both.
     pub(super) fn check_near(&self) -> Result<(), Fault> {
         let far = |reach: M::S| FAR.of::<M::S>() * reach.abs();
         let within = self.before.coordinates().iter().zip(self.after.coordinates()).all(|(before, after)| {
@@ -33,7 +33,7 @@ impl<M: Charted> Looks<'_, M> {
         Err(Fault { cause: Cause::TurnedTooFar { angle }, ..self.locked() })
     }
 
-    /// Are the unknowns of iterations where their rates have taken them, and not at another solution?
+    /// Checks that the unknowns of iterations are where their rates have taken them, and not at another solution.
     #[inline]
     pub(super) fn check_iterated(&self, measure: M::S) -> Result<(), Fault> {
         let half = M::S::lit(0.5) * self.since();
@@ -42,7 +42,7 @@ impl<M: Charted> Looks<'_, M> {
         for (part, (before, after)) in self.system.charts().iterated.iter().zip(iterated) {
             let moved = after.value - before.value;
             let off = moved - half * (after.rate + before.rate);
-            // False for what is not a number.
+            // False for NaN.
             let near = off * off < farthest;
             if !near {
                 let angle = moved.to_f64().abs();
@@ -52,7 +52,7 @@ impl<M: Charted> Looks<'_, M> {
         Ok(())
     }
 
-    /// The continuation data of the state, with what two states tell together.
+    /// The continuation data of the state, with the curvatures and widths that two states give together.
     pub(super) fn updated(&self) -> Result<M::Continuation, Fault> {
         let (angle, body) = self.turned();
         if angle > FARTHEST.of::<M::S>() {
@@ -69,9 +69,9 @@ impl<M: Charted> Looks<'_, M> {
         Ok(continuation)
     }
 
-    /// By how much boxes are narrower than the rates of the unknowns say, which tell how fast a dyad comes nearer to flat, but not
-    /// how fast the measure of an iterated group changes: on a box by a tenth of itself, and if by more since the last look, the
-    /// boxes are narrower by as much.
+    /// Factor by which the intervals become narrower. The rates of the unknowns determine how fast a dyad approaches a flat pose, but not
+    /// how fast the measure of an iterated group changes. It should change by a tenth of itself within an interval; if it changed by more
+    /// since the last check, the intervals become narrower by as much.
     pub(super) fn narrowed(&self) -> M::S {
         let one = M::S::lit(1.0);
         if self.system.charts().iterated.is_empty() {
@@ -86,7 +86,7 @@ impl<M: Charted> Looks<'_, M> {
         let narrowed = measures.fold(one, |narrowed, (before, after)| {
             let (changed, expected) = ((*after - *before).abs(), BOX.of::<M::S>() * boxes * after.abs());
             let noticed = NOTICED.of::<M::S>() * after.abs();
-            // False for what is not a number.
+            // False for NaN.
             if expected.max(noticed) < changed { narrowed.min(expected / changed) } else { narrowed }
         });
         narrowed.max(NARROWEST_BOX.of::<M::S>())
@@ -104,12 +104,12 @@ impl<M: Charted> Looks<'_, M> {
         Fault::of_part(self.t.to_f64(), flattest(self.system, self.chart, self.after), cause)
     }
 
-    /// The time since the last look.
+    /// The time since the last check.
     fn since(&self) -> M::S {
         self.t - self.before.time().last
     }
 
-    /// The farthest that a body of a loop has turned since the last look, rad, and which one.
+    /// The farthest that a body of a loop has turned since the last check, rad, and which one.
     fn turned(&self) -> (M::S, &'static str) {
         let (before, after) = (self.before.angles(), self.after.angles());
         let mut most = (M::S::lit(0.0), "");
@@ -142,7 +142,7 @@ pub(super) fn flattest<M: Charted>(system: &M, chart: usize, continuation: &M::C
     part
 }
 
-/// A fault for a state at which the rate cannot be computed in the chart that is held.
+/// A fault for a state at which the rate cannot be computed in the present chart.
 #[cold]
 pub fn not_regular<M: Charted>(system: &M, t: M::S, held: &M::U, x: &M::X) -> Fault {
     let after = &system.continuation(t, held, x).0;

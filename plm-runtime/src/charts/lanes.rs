@@ -1,4 +1,4 @@
-//! Several states side by side: whether there is something to look at, and looks that change nothing but what is remembered.
+//! Checks of several states side by side: is a check due, and checks that update continuation data alone.
 
 use super::revolutions::first_places;
 use super::{Charted, ContinuationData, OfLoops, Reach, square};
@@ -7,8 +7,8 @@ use crate::tolerances::{BOXES, FAR, FARTHEST, FLAT, LONG, SURELY, tight};
 use crate::turns::are_near;
 use crate::vector::Vector;
 
-/// Whether [`update`](super::update) has nothing to look at yet, by what is held of the loops: 1 in the lanes where it has
-/// not, 0 elsewhere; with the typical size of each number of the state.
+/// 1 in the lanes where [`update`](super::update) has nothing to check yet, by the discrete state of the loops, 0 elsewhere; `typical` has
+/// the typical size of each number of the state.
 #[inline]
 pub fn are_calm<M: Charted, T: Scalar, X: Vector<T>>(
     typical: &X,
@@ -36,8 +36,8 @@ pub fn are_calm<M: Charted, T: Scalar, X: Vector<T>>(
     count.fold(calm, T::min)
 }
 
-/// Whether steps between two states are short beside the turn next to a flat pose ([`crossed`](super::crossed)), with the
-/// typical size of each number of the state: 1 in the lanes where they surely are, 0 elsewhere.
+/// 1 in the lanes where a step between two states is surely short compared with the turn next to a flat pose ([`crossed`](super::crossed)),
+/// 0 elsewhere; `typical` has the typical size of each number of the state.
 #[inline]
 pub fn are_short<M: Charted, T: Scalar, X: Vector<T>>(
     typical: &X,
@@ -49,14 +49,14 @@ pub fn are_short<M: Charted, T: Scalar, X: Vector<T>>(
     continuation.coordinates().iter().enumerate().fold(one, |short, (k, &Reach { reach, .. })| {
         let moved = (x.at(k) - before.at(k)).abs();
         let if_tight = T::select(moved.lt(T::lit(SURELY.get() * LONG.get()) * reach), short, zero);
-        // One that turns back is looked at by itself.
+        // A coordinate that turns back is left to the check of its lane alone.
         let if_tight = T::select((before.at(M::NQ + k) * x.at(M::NQ + k)).lt(zero), zero, if_tight);
         T::select(reach.lt(T::lit(tight() / M::NQ as f64) * typical.at(k)), if_tight, short)
     })
 }
 
-/// Looks at the states of the lanes in which that is `due` (1, else 0), from what is to be remembered of them and the squares of
-/// the measures: 1 in the lanes where [`update`](super::update) would do no more than remember that, which is done; 0 elsewhere.
+/// Checks the states of the lanes in which a check is `due` (1, else 0), by their continuation data and the squares of the measures. 1 in
+/// the lanes where [`update`](super::update) would do no more than store that data, which is done; 0 elsewhere.
 #[inline]
 pub fn look<M: Charted, T: Scalar, Y: ContinuationData<T>>(
     of_loops: &mut OfLoops<Y, impl Sized>,
@@ -68,7 +68,7 @@ pub fn look<M: Charted, T: Scalar, Y: ContinuationData<T>>(
     let OfLoops::InChart { chart, continuation: before } = of_loops else { return zero };
     let mut plain = due;
     let mut hold = |condition: T::Mask| plain = T::select(condition, plain, zero);
-    // False for what is not a number, here and in all that follows.
+    // False for NaN, here and in all that follows.
     hold(square::<T>(FLAT.get()).lt(measure));
     // Zero times a number that is none is none.
     hold(after.fold(zero, |sum, number| number.mul_add(zero, sum)).lt(one));

@@ -1,10 +1,10 @@
-//! Angles that have turned far are brought back by whole turns, in the coordinates and in the continuation data.
+//! Angles that have turned far are reduced by whole revolutions, in the coordinates and in the continuation data.
 
 use super::{Charted, Charts, ContinuationData, OfLoops};
 use crate::turns::{due, less};
 use crate::vector::Vector;
 
-/// The angles of bodies that turn as one, whose whole turns are counted together.
+/// The angles of bodies that turn as one, whose revolutions are counted together.
 #[derive(Clone, Copy, Debug)]
 pub struct Revolutions {
     /// By chart: the coordinates that are such angles.

@@ -1,10 +1,10 @@
-//! Loops of the discrete state as words.
+//! Discrete state of the loops as words.
 
 use super::{Angle, Continuation, ContinuationData, Iterated, OfLoops, Reach};
 use crate::scalar::Real;
 use crate::words::{InWords, Words};
 
-/// The chart, and what is remembered in it; or pose and velocity. What is not held is zero.
+/// The chart and its continuation data, or pose and velocity; the absent ones are zero.
 impl<S: Real, C: ContinuationData<S> + InWords, const NQ: usize> InWords for OfLoops<C, [S; NQ]> {
     fn each(&mut self, words: &mut impl Words) {
         let (mut place, mut continuation, mut pose) = (0, C::nothing(), ([S::ZERO; NQ], [S::ZERO; NQ]));

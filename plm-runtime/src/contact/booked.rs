@@ -1,55 +1,55 @@
-//! What impacts did: impulses of each row, and energy.
+//! Record of impacts: impulses of each row, and energy.
 //!
-//! The impulses Lambda of an impact change the kinetic energy by `sum Lambda_i (g_i- + g_i+ - 2 r_i)/2`, g being the rates of the rows
-//! before and after it and r the part of them that time alone gives. So `-sum Lambda_i (g_i- + g_i+)/2` is lost, and a contact that is moved
-//! does the work `-sum Lambda_i r_i`.
+//! The impulses Lambda of an impact change the kinetic energy by `sum Lambda_i (g_i- + g_i+ - 2 r_i)/2`. Here g are the rates of the rows
+//! before and after it, and r their parts that depend on time alone. The energy lost is `-sum Lambda_i (g_i- + g_i+)/2`, and contacts that
+//! are moved do the work `-sum Lambda_i r_i`.
 
 use super::impact::Doubts;
 use crate::scalar::Real;
 use crate::words::{InWords, Words};
 
-/// An impact gains energy if it loses less than this fraction of what impulses and rates turn over, with the other sign.
+/// Gain of an impact, as a fraction of the energy that impulses and rates turn over, up to which it counts as rounding.
 const GAIN: f64 = 1e-9;
 
-/// An impulse of a row.
+/// Impulse of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impulse {
-    /// When it was, s.
+    /// Time of the impact, s.
     pub time: f64,
-    /// The integral of the reaction of the row, N s or N m s: that of a gap is positive, that of a friction has the sign of its force.
+    /// Integral of the reaction of the row, N s or N m s: positive for a gap; for a friction it has the sign of its force.
     pub size: f64,
 }
 
 /// Energy of impacts since the run began, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ImpactEnergy {
-    /// What the last impact has lost; of those at one time together.
+    /// Energy lost in the last impact; that of all impacts at one time together.
     pub last: f64,
-    /// What all impacts have lost.
+    /// Energy lost in all impacts.
     pub lost: f64,
-    /// Work that moved contacts have done in impacts. The kinetic energy changes by this less what was lost.
+    /// Work that moved contacts have done in impacts. The kinetic energy changes by this work less the energy lost.
     pub work: f64,
 }
 
-/// What was booked of the impacts of `N` rows.
+/// Record of the impacts of `N` rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Booked<const N: usize> {
-    /// The last impulse of each row; its time is negative and infinite where there was none.
+    /// Last impulse of each row; its time is negative infinity before the first one.
     impulses: [Impulse; N],
     energy: ImpactEnergy,
-    /// When the last impact was, s.
+    /// Time of the last impact, s.
     time: f64,
 }
 
-/// The impacts of an event.
+/// Sums over the impacts of an event.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Struck<S, const N: usize> {
     pub(super) impulses: [S; N],
     pub(super) lost: S,
     pub(super) work: S,
-    /// How many there were.
+    /// Number of impacts.
     pub(super) count: u32,
-    /// What the laws of impact have left open.
+    /// Ambiguities that the laws of impact leave.
     pub(super) doubts: Doubts,
 }
 
@@ -59,8 +59,8 @@ impl<S: Real, const N: usize> Struck<S, N> {
         Self { impulses: [S::ZERO; N], lost: S::ZERO, work: S::ZERO, count: 0, doubts: Doubts::default() }
     }
 
-    /// Adds an impact between the rates of the rows `before` and `after` it; `moved` are those that time alone gives. Gives what it gains and what
-    /// impulses turn over, J, if it gains.
+    /// Adds an impact with the rates of the rows `before` and `after` it; `moved` are their parts that depend on time alone. An impact that
+    /// gains energy is an error, with the gain and the energy that impulses and rates turn over, J.
     pub(super) fn add(
         &mut self,
         [before, after]: [&[S; N]; 2],
@@ -87,7 +87,7 @@ impl<S: Real, const N: usize> Struck<S, N> {
 }
 
 impl<const N: usize> Booked<N> {
-    /// No impact yet.
+    /// Record before the first impact.
     pub(super) fn nothing() -> Self {
         let never = f64::NEG_INFINITY;
         Self {
@@ -97,12 +97,12 @@ impl<const N: usize> Booked<N> {
         }
     }
 
-    /// Books the impacts of an event.
+    /// Records the impacts of an event.
     pub(super) fn book<S: Real>(&mut self, time: f64, struck: &Struck<S, N>) {
         if struck.count == 0 {
             return;
         }
-        // Bits are compared, and nothing is added to zero: processors without f64 take a hundred instructions for each such sum.
+        // Bits are compared, and nothing is added to zero: on processors without f64 each such sum takes a hundred instructions.
         let is_same = |other: f64| other.to_bits() == time.to_bits();
         for (row, impulse) in self.impulses.iter_mut().zip(struck.impulses) {
             if impulse != S::ZERO {
@@ -124,12 +124,12 @@ impl<const N: usize> Booked<N> {
         self.time = time;
     }
 
-    /// Impulses of the rows.
+    /// Last impulses of the rows.
     pub(super) fn impulses(&self) -> &[Impulse; N] {
         &self.impulses
     }
 
-    /// Energy.
+    /// Energy of the impacts.
     pub(super) fn energy(&self) -> ImpactEnergy {
         self.energy
     }

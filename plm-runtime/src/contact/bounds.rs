@@ -1,4 +1,4 @@
-//! Bounds of frictions that are negative.
+//! Faults of frictions whose bound is negative.
 
 use super::event::moving_rows;
 use super::rows::{Law, Rows, below, indices};
@@ -7,14 +7,14 @@ use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 
-/// A bound is rounding below this fraction of the force that would hold the row.
+/// A bound below this fraction of the force that would hold the row is rounding.
 const ROUNDING: f64 = 1e-9;
-/// The unit of a bound.
+/// Unit of a bound.
 const FORCE: &str = "N or N m";
-/// A bound that is zero within this time is zero, s: times of events are known so well.
+/// Time, s, within which a bound that comes to zero counts as zero: the accuracy of event times.
 const AT_ONCE: f64 = 1e-10;
 
-/// Looks at the bounds that no force of contact decides, and at coefficients that are all of a bound: each must not be negative.
+/// Checks the bounds that no contact force decides, and the coefficients that are the only term of a bound: none may be negative.
 ///
 /// # Errors
 /// [`Cause::NotAllowed`] with the row and its bound.
@@ -40,7 +40,7 @@ pub(super) fn look_at_bounds<M: Contacts<N>, const N: usize>(
     Ok(())
 }
 
-/// Looks at bounds as [`look_at_bounds`] where only those are looked at that have a negative part.
+/// Checks all bounds as [`look_at_bounds`] does, if at least one bound has a negative term.
 ///
 /// # Errors
 /// As [`look_at_bounds`].
@@ -59,7 +59,7 @@ pub(super) fn look_at_signs<M: Contacts<N>, const N: usize>(
     if indices::<N>().any(is_negative) { look_at_bounds(system, t, u, rows) } else { Ok(()) }
 }
 
-/// Looks at the bounds that follow the state or the time where they come to zero: one that falls is negative from here on.
+/// Checks the bounds that depend on the state or the time at their zeros: one that falls is negative from here on.
 ///
 /// # Errors
 /// [`Cause::NotAllowed`] with the row.
@@ -86,13 +86,13 @@ pub(super) fn look_at_falling_bounds<M: Contacts<N>, const N: usize>(
     Ok(())
 }
 
-/// Rounding of a bound; infinite, or not a number, where the row has no direction.
+/// Rounding of a bound; infinite or NaN if the row has no direction.
 fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize) -> S {
     let row = below::<N>(row);
     S::lit(ROUNDING) * rows.free[row].abs() / rows.delassus[row][row].abs()
 }
 
-/// The fault of a bound.
+/// Fault of a negative bound.
 fn negative<M: Contacts<N>, const N: usize>(
     system: &M,
     t: M::S,
@@ -104,8 +104,8 @@ fn negative<M: Contacts<N>, const N: usize>(
     Fault::of_part(t.to_f64(), system.contact_name(row), cause)
 }
 
-/// The least of the limits of a friction that no force of contact decides, and of coefficients that are all of a limit. One that is
-/// nothing but zero stays so.
+/// The least of the limits of a friction that no contact force decides, and of the coefficients that are the only term of a limit;
+/// at most 1. A limit that is exactly zero stays zero, and does not count.
 pub(super) fn least_bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize) -> T {
     let known = limits(rows, row).into_iter().filter_map(alone).map(|found| match found {
         Alone::Force(found) | Alone::Coefficient(found) => found,
@@ -113,22 +113,22 @@ pub(super) fn least_bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usi
     known.filter(|found| *found != T::ZERO).fold(T::lit(1.0), T::min)
 }
 
-/// The limits of a friction.
+/// The four limits of a friction.
 fn limits<T, const N: usize>(rows: &Rows<T, N>, row: usize) -> [&Limit<T, N>; 4] {
     let row = below::<N>(row);
     let (kinetic, adhesion) = (&rows.kinetic[row], &rows.adhesion[row]);
     [&kinetic.lower, &kinetic.upper, &adhesion.lower, &adhesion.upper]
 }
 
-/// A limit that has one term.
+/// Only term of a limit.
 enum Alone<T> {
     /// A force, N or N m.
     Force(T),
-    /// The coefficient of what presses.
+    /// Coefficient of friction: the factor of a multiplier or of a reaction.
     Coefficient(T),
 }
 
-/// The term of a limit that has one alone.
+/// The term of a limit that has only one.
 fn alone<T: Scalar, const N: usize>(limit: &Limit<T, N>) -> Option<Alone<T>> {
     let mut factors = limit.by.iter().chain(&limit.share).filter(|factor| **factor != T::ZERO);
     match (factors.next(), factors.next()) {

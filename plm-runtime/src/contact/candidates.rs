@@ -1,5 +1,5 @@
-//! The next modes of the rows, by enumeration: multipliers and accelerations (or impulses and rates) of every combination, and all
-//! inequalities (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, Wiley 1996).
+//! Next modes of the rows by enumeration: multipliers and accelerations (or impulses and rates) of every combination, checked against
+//! all inequalities (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, Wiley 1996).
 
 use super::loads::Load;
 use super::margins::stick;
@@ -11,21 +11,21 @@ use crate::linalg::Lu;
 use crate::scalar::Real;
 use crate::vector::Vector;
 
-/// Relative size below which an inequality is marginal, and two motions are one.
+/// Relative size below which an inequality is marginal, and relative difference below which two motions are equal.
 pub(super) const MARGINAL: f64 = 1e-9;
-/// Roundings of the largest acceleration, or rate of an impact, that are none in any row.
+/// Error of every acceleration, or rate in an impact, in roundings of the largest one.
 const ROUNDING: f64 = 32.0;
-/// A row that rests depends on others if its own part of D is below this fraction of its diagonal entry.
+/// A row depends on the constraint rows if its own part of D is below this fraction of its diagonal entry.
 const DEPENDENT: f64 = 1e-9;
-/// What the equation of a force is off by, in roundings of its terms.
+/// Error of the equation of a force, in roundings of its terms.
 const ROUNDED: f64 = 4.0;
-/// So many combinations are tried; more of them are searched by pivots.
+/// Most combinations that are enumerated; if there are more, they are searched by pivots.
 const MOST_CANDIDATES: u32 = 1 << 14;
 
-/// The modes that a row may have.
+/// Modes that a row may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Allowed {
-    /// This one.
+    /// This mode only.
     Only(Mode),
     /// A gap without approach: closed or open.
     Touching,
@@ -34,7 +34,7 @@ pub(super) enum Allowed {
 }
 
 impl Allowed {
-    /// In the order of preference: what holds first.
+    /// The modes in the order of preference: constraints first.
     fn modes(self) -> &'static [Mode] {
         match self {
             Self::Only(Mode::Open) => &[Mode::Open],
@@ -44,12 +44,12 @@ impl Allowed {
             Self::Only(Mode::Forwards) => &[Mode::Forwards],
             Self::Only(Mode::Backwards) => &[Mode::Backwards],
             Self::Touching => &[Mode::Closed, Mode::Open],
-            // Held by others, it can have no force of its own.
+            // Carried by other rows, it may have no force of its own.
             Self::Resting => &[Mode::Sticks, Mode::Off, Mode::Forwards, Mode::Backwards],
         }
     }
 
-    /// A friction that is not off.
+    /// True for a friction that may have a force.
     fn is_friction(self) -> bool {
         matches!(self, Self::Resting | Self::Only(Mode::Forwards | Mode::Backwards))
     }
@@ -59,33 +59,33 @@ impl Allowed {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Solution<S, const N: usize> {
     pub(super) modes: [Mode; N],
-    /// Rows that rest although they are no constraints: others hold them.
+    /// Rows that are at rest without being constraints: other rows carry them.
     pub(super) carried: [bool; N],
-    /// Signs of the reactions that bound frictions.
+    /// Signs of the reactions that bound frictions: true if negative.
     pub(super) negative: [bool; N],
     pub(super) lambda: [S; N],
     pub(super) determinant: S,
-    /// Steps of Newton's method.
+    /// Number of Newton steps.
     pub(super) newton: u32,
-    /// How far the rows that hold are from their limits, as a share of the terms of their forces.
+    /// Least distance of the constraint rows from their limits, relative to the terms of their forces.
     pub(super) slack: S,
     /// Accelerations of all rows.
     pub(super) acceleration: [S; N],
 }
 
 impl<S, const N: usize> Solution<S, N> {
-    /// The gap is open, and not closed by other rows.
+    /// True if the gap is open, and not kept closed by other rows.
     pub(super) fn opens(&self, row: usize) -> bool {
         let row = below::<N>(row);
         self.modes[row] == Mode::Open && !self.carried[row]
     }
 }
 
-/// What the enumeration has found.
+/// Result of the enumeration.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Found<S, const N: usize> {
-    /// The solution in which most rows rest, of those the one that is farthest from its limits; and whether there are others with
-    /// other accelerations.
+    /// The solution in which the fewest rows move, of several the one farthest from its limits; true if there are others with other
+    /// accelerations.
     Modes(Solution<S, N>, bool),
     /// No combination satisfies all inequalities.
     Nothing,
@@ -96,22 +96,23 @@ pub(super) enum Found<S, const N: usize> {
 /// The inequalities of a combination.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Margins<S, const N: usize> {
-    /// Each is not to be negative: forces, distances from limits, accelerations.
+    /// Values of the inequalities: forces, distances from limits, accelerations; none may be negative.
     pub(super) value: [S; N],
-    /// The size of the terms that it is the sum of; none where a row has no inequality.
+    /// Sizes of the terms of each value; `None` if the row has no inequality.
     pub(super) size: [Option<S>; N],
 }
 
 impl<S: Real, const N: usize> Margins<S, N> {
-    /// Those that are negative, but for rounding.
+    /// Inequalities that are violated by more than rounding.
     pub(super) fn broken(&self) -> [bool; N] {
-        // True for what is not a number.
+        // True for NaN.
         let is_met = |value: S, size: S| value >= -(S::lit(MARGINAL) * size);
         core::array::from_fn(|i| self.size[i].is_some_and(|size| !is_met(self.value[i], size)))
     }
 }
 
-/// Tries all combinations, or goes from one to the next where they are too many. `broken` says of each whose inequalities are not met.
+/// Enumerates all combinations, or searches them by pivots if they are too many. `broken` marks the rows of a combination whose
+/// inequalities are violated.
 pub(super) fn enumerate<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
@@ -146,7 +147,7 @@ pub(super) fn enumerate<S: Real, const N: usize>(
     best.map_or(Found::Nothing, |(solution, _)| Found::Modes(solution, is_ambiguous))
 }
 
-/// The combination in which everything holds that may.
+/// The combination in which every row that can be a constraint is one.
 pub(super) fn most_holding<const N: usize>(allowed: &[Allowed; N]) -> [Mode; N] {
     allowed.map(|row| match row {
         Allowed::Only(mode) => mode,
@@ -155,7 +156,7 @@ pub(super) fn most_holding<const N: usize>(allowed: &[Allowed; N]) -> [Mode; N] 
     })
 }
 
-/// Frictions of gaps that are open have one mode: what is far costs nothing.
+/// Restricts frictions of gaps that must be open to the mode off: distant contacts then cost nothing.
 fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [Allowed; N] {
     let most_closed = most_holding(allowed);
     core::array::from_fn(|i| {
@@ -167,7 +168,7 @@ fn near<S: Real, const N: usize>(rows: &Rows<S, N>, allowed: &[Allowed; N]) -> [
     })
 }
 
-/// The combination with this number; none if it repeats another one: a friction without normal force has one mode.
+/// The combination with this number; `None` if it repeats another one, since a friction without normal force has one mode.
 fn combination<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
@@ -194,7 +195,7 @@ fn combination<S: Real, const N: usize>(
     Some(modes)
 }
 
-/// A friction whose limits are those of rows that are open has no force.
+/// True if a friction has no force: its limits depend only on rows that are open or off.
 pub(super) fn is_off<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], row: usize) -> bool {
     let row = below::<N>(row);
     let (kinetic, adhesion) = (&rows.kinetic[row], &rows.adhesion[row]);
@@ -204,7 +205,7 @@ pub(super) fn is_off<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; 
     })
 }
 
-/// Multipliers and accelerations of a combination, and its inequalities.
+/// Multipliers and accelerations of a combination, and its inequalities; `None` if it has no solution.
 pub(super) fn solve<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
@@ -213,7 +214,7 @@ pub(super) fn solve<S: Real, const N: usize>(
     let (turned, found) = signed(rows, &modes)?;
     let rows = turned.as_ref().unwrap_or(rows);
     let lambda = found.lambda;
-    // A row without direction, of which D_ii is rounding, would be held by a force without end.
+    // A row without direction, whose D_ii is rounding, would need an unbounded force to be held.
     let has_direction = |i: usize| !modes[i].holds() || rows.delassus[i][i] > S::ZERO;
     if !indices::<N>().all(|i| has_direction(i) && lambda[i].is_finite()) {
         return None;
@@ -259,7 +260,7 @@ pub(super) fn solve<S: Real, const N: usize>(
     Some((solution, margins))
 }
 
-/// The sizes of the terms of all accelerations, but not below the rounding of the largest one: over sqrt(D_ii) they have one unit.
+/// Sizes of the terms of all accelerations, at least the rounding of the largest one: divided by sqrt(D_ii) they have one unit.
 fn sizes<S: Real, const N: usize>(rows: &Rows<S, N>, lambda: &[S; N]) -> [S; N] {
     let terms: [S; N] = Vector::from_fn(|i| size(rows, i, lambda));
     let roots: [S; N] = Vector::from_fn(|i| rows.delassus[i][i].max(S::ZERO).sqrt());
@@ -269,8 +270,8 @@ fn sizes<S: Real, const N: usize>(rows: &Rows<S, N>, lambda: &[S; N]) -> [S; N] 
     Vector::from_fn(|i| terms[i].max(rounding * roots[i]))
 }
 
-/// The size of the margin of a row that sticks: of its force and its limits, but not below the rounding of `terms`, those of the
-/// equation of its force. Where a row has almost no direction they are far larger than its force: others balance them.
+/// Size of the margin of a row that sticks: that of its force and its limits, but not below the rounding of `terms`, those of the
+/// equation of its force. For a row with almost no direction these terms are far larger than its force, since others balance them.
 fn held_size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, (lambda, terms): (&[S; N], S)) -> S {
     let row = below::<N>(row);
     let [lower, upper] = stick(rows, row, lambda);
@@ -278,14 +279,14 @@ fn held_size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, (lambda, te
     own.max(S::lit(ROUNDED) * S::EPSILON * terms).min(terms)
 }
 
-/// The size of the terms of an acceleration.
+/// Size of the terms of an acceleration.
 fn size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, lambda: &[S; N]) -> S {
     let row = below::<N>(row);
     let terms = rows.delassus[row].iter().zip(lambda);
     terms.fold(rows.free[row].abs(), |sum, (d, lambda)| sum + (*d * *lambda).abs())
 }
 
-/// Do the rows that hold leave the row `i` no freedom: D_ii - D_iH D_HH^-1 D_Hi = 0?
+/// True if the constraint rows leave the row `i` no freedom: D_ii - D_iH D_HH^-1 D_Hi = 0.
 fn depends<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], i: usize) -> bool {
     let (mut held, mut order) = ([0; N], 0);
     for j in indices::<N>().filter(|j| modes[*j].holds()) {
@@ -305,7 +306,7 @@ fn depends<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], i: usi
     own <= S::lit(DEPENDENT) * entry(i, i)
 }
 
-/// How many of the rows that could rest move.
+/// Number of rows that move although they could be at rest.
 fn moving<S: Real, const N: usize>(allowed: &[Allowed; N], solution: &Solution<S, N>) -> usize {
     let moves = |i: &usize| {
         let rests = matches!(allowed[*i], Allowed::Touching | Allowed::Resting);
@@ -314,11 +315,11 @@ fn moving<S: Real, const N: usize>(allowed: &[Allowed; N], solution: &Solution<S
     indices::<N>().filter(moves).count()
 }
 
-/// Accelerations of rows are the same if they differ by less than this fraction of the largest terms.
+/// Accelerations of rows are equal if they differ by less than this fraction of the largest terms.
 const NO_DIFFERENCE: f64 = 1e-12;
 
-/// Do two combinations differ by rows alone that stick in one and slip in the other, under a static bound above the kinetic one? By that
-/// law what rests sticks, though it could slip.
+/// True if two combinations differ only in rows that stick in one and slip in the other, under a static bound above the kinetic one. By
+/// that law a row at rest sticks, although it could slip.
 fn sticks_by_law<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     one: &Solution<S, N>,
@@ -332,14 +333,14 @@ fn sticks_by_law<S: Real, const N: usize>(
     !indices::<N>().any(differs)
 }
 
-/// Are the accelerations of all rows the same?
+/// True if the accelerations of all rows are equal.
 pub(super) fn is_same_motion<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     one: &Solution<S, N>,
     other: &Solution<S, N>,
 ) -> bool {
     let size = |i: usize| size(rows, i, &one.lambda).max(size(rows, i, &other.lambda));
-    // What is all rounding of the others differs by rounding.
+    // The terms of a row may be nothing but rounding of the others.
     let largest = indices::<N>().fold(S::ZERO, |largest, i| largest.max(size(i)));
     indices::<N>().all(|i| {
         let apart = (one.acceleration[i] - other.acceleration[i]).abs();

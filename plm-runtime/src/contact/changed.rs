@@ -1,4 +1,5 @@
-//! Contact rows after a change from outside: a row that holds may have been moved away, or got a velocity, a friction a bound.
+//! Contact rows after a change by the caller: a constraint row may have been moved or have got a velocity, a friction may have got a
+//! bound.
 
 use super::bounds::look_at_bounds;
 use super::candidates::is_off;
@@ -9,13 +10,13 @@ use super::{Contacts, Modal};
 use crate::fault::Fault;
 use crate::scalar::Scalar;
 
-/// A row that holds has been moved if it is off its place by more than this fraction of the length of the mechanism, or if its rate is
-/// more than this fraction of the speed that free acceleration gives over that length. What integration leaves is less.
+/// A constraint row has been moved if it is off its place by more than this fraction of the length of the mechanism, or if its rate
+/// exceeds this fraction of the speed that free acceleration gives over that length. Errors of integration are smaller.
 const MOVED: f64 = 1e-5;
 
-/// Finds the modes anew where a row that holds has been moved by whoever has set the state: it is open there, or sticks in its new
-/// place, or moves on; and where a friction that had no bound has one. Where there is none of these, nothing is changed. Modes that change
-/// where the state is set are found anew by its velocities, and change at events from then on.
+/// Finds the modes again if the caller has moved a constraint row, or if a friction that had no bound has one now. A gap that was moved is
+/// open, a friction sticks in its new place or slips. Otherwise nothing changes. Modes that change where the state is set
+/// ([`Change::WhereSet`]) are found from its velocities, and change at events from then on.
 ///
 /// # Errors
 /// As [`switch`](super::switch).

@@ -1,4 +1,4 @@
-//! The modes that apply after an event, and faults where there are none.
+//! Modes that apply after an event, and faults if there are none.
 
 use super::candidates::{Allowed, Found, MARGINAL, Margins, Solution, enumerate, most_holding, solve};
 use super::event::{Event, moving_rows};
@@ -9,7 +9,7 @@ use crate::fault::{Cause, Fault};
 use crate::scalar::Scalar;
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
-    /// The combination that satisfies all inequalities, and whether there are others.
+    /// The combination that satisfies all inequalities; true if there are others.
     pub(super) fn choose(
         &self,
         rows: &Rows<M::S, N>,
@@ -19,8 +19,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     ) -> Result<(Solution<M::S, N>, bool), Fault> {
         let mut found = enumerate(rows, allowed, |solution, margins| self.broken(u, x, solution, margins));
         if matches!(found, Found::Nothing) {
-            // Next to the bound below which a rate decides, an inequality may be decided by its value in one combination and by its rate in
-            // another, so that either breaks it. There are forces all the same where values alone are asked.
+            // Near the bound below which a rate decides, an inequality may be decided by its value in one combination and by its rate in
+            // another, so that both violate it. Forces still exist if only values are compared.
             found = enumerate(rows, allowed, |_, margins| margins.broken());
         }
         let touching = touching(allowed);
@@ -37,7 +37,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         Err(self.fault(self.row(allowed), cause))
     }
 
-    /// The inequalities of a combination that are not met, or are marginal and not met from here on.
+    /// Inequalities of a combination that are violated, or marginal and violated from here on.
     fn broken(
         &self,
         u: &M::U,
@@ -51,8 +51,9 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         broken(&moving_rows(self.system, (self.t, &held), x, &solution.lambda), solution, margins)
     }
 
-    /// Has the motion derivatives to both sides, where rows begin with these modes? Not if one stands at its limit, and leaves it for what the
-    /// run is derived by. After what the motion comes to, the time of the event is derived.
+    /// Checks that the motion has derivatives to both sides if the rows begin with these modes. It has none if a row is at its limit and
+    /// leaves it with the variable of differentiation. After an event that the motion comes to, the time of the event is differentiated
+    /// instead.
     fn derivable(
         &self,
         rows: &Rows<M::S, N>,
@@ -72,7 +73,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         (0..N).find(is_at_limit).map_or(Ok(()), |row| Err(self.fault(row, Cause::AtLimit)))
     }
 
-    /// The row that a fault names.
+    /// Row that a fault names.
     fn row(&self, allowed: &[Allowed; N]) -> usize {
         let first = allowed.iter().position(|row| *row == Allowed::Touching);
         self.occasion.row().or(first).unwrap_or(0)

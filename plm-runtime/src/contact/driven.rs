@@ -1,8 +1,8 @@
-//! Frictions whose slip no contact force changes: drives prescribe it, or a pose gives the row no direction for a moment.
+//! Frictions whose slip no contact force changes: a drive prescribes it, or the row has no direction at a pose.
 //!
-//! Such a row has D_ii = 0. Its slip is known as a function of the time, and so is its side: that of the velocity, where this is zero that
-//! of the acceleration, where this is zero too that of the jerk. A row that all three leave at rest is carried, with no force of its own
-//! (what holds it shares its load with the friction in any way), until it [`leaves`] its rest.
+//! Such a row has D_ii = 0. Its slip is a known function of time, and so is its side: that of the velocity; if the velocity is zero, that
+//! of the acceleration; if both are zero, that of the jerk. A row that has none of the three is carried, with no force of its own, until it
+//! [`leaves`] its rest. The rows that carry it share its load with the friction in an arbitrary way.
 
 use super::event::{Event, moving_rows};
 use super::margins::stick;
@@ -15,38 +15,38 @@ use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// Acceleration and jerk decide by the velocity that they give within this time, s: after a motion that comes to rest smoothly the
+/// Time, s, in which acceleration and jerk give the velocity that decides: at the end of a motion that comes to rest smoothly the
 /// acceleration is still that of braking, and the jerk, which ends it, outweighs it.
 const SHORTLY: f64 = 1e-5;
-/// A prescribed velocity is rounding below so many roundings of 1 m/s, or 1 rad/s, and of the fastest row.
+/// A prescribed velocity is rounding below so many roundings of the largest of 1 m/s, 1 rad/s and the fastest row.
 const STILL: f64 = 64.0;
-/// A prescribed acceleration, m/s^2 or rad/s^2, is rounding below so many roundings of 1: in absolute coordinates it is the sum of forces that
-/// balance each other.
+/// A prescribed acceleration, m/s^2 or rad/s^2, is rounding below so many roundings of 1: in absolute coordinates it is the sum of forces
+/// that balance each other.
 const UNMOVED: f64 = 4096.0;
-/// A friction that can change the acceleration of its row by no more than this, m/s^2 or rad/s^2, changes nothing.
+/// Acceleration, m/s^2 or rad/s^2, up to which the largest force of a friction does not change the motion of its row.
 const UNSHAKEN: f64 = 1e-11;
-/// Below this entry of D, 1/kg or 1/(kg m^2), a row that is carried may rest by a drive.
+/// Entry of D, 1/kg or 1/(kg m^2), up to which a carried row may be at rest by a drive.
 const NO_DIRECTION: f64 = 1e-9;
-/// A row at rest has left it at this speed, m/s or rad/s: what integration leaves of a velocity that is zero is less, ...
+/// Speed, m/s or rad/s, at which a row at rest has left its rest: the errors of integration of a zero velocity are smaller, ...
 const LEFT: f64 = 1e-9;
-/// ... which is so many roundings at least.
+/// ... and it is at least so many roundings.
 const LEAST_LEFT: f64 = 1024.0;
 
-/// Up to so many times that speed it is looked at whether it is left by integration.
+/// Up to so many times that speed, errors of integration are removed before it is decided if a row has left its rest.
 const SLOW: f64 = 1e4;
 
-/// What decides whether a friction slips.
+/// Cause that decides if a friction slips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Slip {
-    /// Contact forces do, by the laws.
+    /// Contact forces, by the laws of friction.
     ByForces,
-    /// The motion does: it rests.
+    /// The motion: the row is at rest.
     Rests,
-    /// The motion does: it slips to this side.
+    /// The motion: the row slips to this side.
     To(Mode),
 }
 
-/// The margin of a friction that is carried; where a drive lets it rest, it comes to zero as the row leaves its rest.
+/// Margin of a carried friction: zero when the row leaves a rest that a drive gives it, else 1.
 pub(super) fn leaves<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &Modes<impl Scalar, N>,
@@ -59,7 +59,7 @@ pub(super) fn leaves<T: Scalar, const N: usize>(
     T::lit(1.0) - share * share
 }
 
-/// Does a drive let a friction rest? Its speed is far below what intervals resolve: its margin is looked at in points.
+/// True if a drive lets a friction rest. Its speed is far below the resolution of intervals: its margin is evaluated at points.
 pub(super) fn rests<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &Modes<impl Scalar, N>,
@@ -75,7 +75,7 @@ fn left<T: Scalar>() -> f64 {
 }
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
-    /// No contact force changes the rate of this friction: D_ii is zero, or makes an acceleration of its largest force that is rounding.
+    /// True if no contact force changes the rate of this friction: D_ii is zero, or the acceleration by its largest force is rounding.
     fn is_driven(&self, rows: &Rows<M::S, N>, u: &M::U, row: usize) -> bool {
         let row = below::<N>(row);
         if self.system.law(row) != Law::Friction || !self.system.exists(u, row) {
@@ -87,7 +87,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         is_rounding || rows.is_cancelled(row, self.system.length().to_f64())
     }
 
-    /// Takes what integration has left out of the velocities, where that decides whether a row rests.
+    /// Removes errors of integration from the velocities by projection, if they could decide that a row is at rest.
     ///
     /// # Errors
     /// Those of [`Contacts::project_joints`].
@@ -101,7 +101,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         Ok(())
     }
 
-    /// What decides the slip of each friction. Accelerations of those that rest are rounding, and become zero.
+    /// Cause of the slip of each friction. The accelerations of rows at rest are rounding, and become zero.
     pub(super) fn slips(&self, rows: &mut Rows<M::S, N>, u: &M::U, x: &M::X) -> [Slip; N] {
         let one = M::S::lit(1.0);
         let fastest = rows.rate.iter().fold(one, |fastest, rate| fastest.max(rate.abs()));
@@ -132,8 +132,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         slips
     }
 
-    /// Its velocity has come to zero, and does not change its sign: rounding alone did, where a motion comes to rest smoothly. It has left this
-    /// rest as it leaves any other; the event of another row does not end it.
+    /// True if the velocity has come to zero without a change of sign: at the end of a motion that comes to rest smoothly, rounding alone
+    /// changes the sign. The row leaves this rest like any other; the event of another row does not end it.
     fn has_touched_rest(&self, rows: &Rows<M::S, N>, u: &M::U, (row, next): (usize, Mode)) -> bool {
         let is_at_rest = match self.occasion.row() {
             Some(own) if own == row => u.modes().of[below::<N>(row)] == next,
@@ -142,7 +142,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         is_at_rest && rows.rate[below::<N>(row)].abs() < M::S::lit(left::<M::S>())
     }
 
-    /// Rates of the accelerations along the motion, in the modes until now.
+    /// Rates of the accelerations along the motion, in the modes before the event.
     fn jerks(&self, rows: &Rows<M::S, N>, u: &M::U, x: &M::X) -> [M::S; N] {
         let lambda = multipliers(rows, &u.modes().of).map_or([M::S::ZERO; N], |found| found.lambda);
         let moving = moving_rows(self.system, (self.t, u), x, &lambda);

@@ -1,8 +1,9 @@
 //! Multipliers of the contact rows over an interval of time.
 //!
-//! Of rows that are bounded by a reaction in the plane and slip, Newton's method solves lambda = F(e(lambda)) with the unit vectors e of the
-//! reactions. Intervals E of them that F and e map into themselves have a solution at each time, by Brouwer's theorem (R. E. Moore,
-//! R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, SIAM 2009, chapter 8). E is found by widening the e in the middle.
+//! For rows that slip and are bounded by a reaction in the plane, Newton's method solves lambda = F(e(lambda)) with the unit vectors e of
+//! the reactions. Intervals E of unit vectors that F and e map into themselves contain a solution at each time, by Brouwer's theorem
+//! (R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, SIAM 2009, chapter 8). E is found by widening the unit
+//! vectors at the middle of the interval of time.
 
 use super::loads::Load;
 use super::modes::Mode;
@@ -11,17 +12,17 @@ use super::rows::{Rows, below, indices};
 use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::Real;
 
-/// Intervals of unit vectors that are tried.
+/// Most trials of intervals of unit vectors.
 const TRIES: u32 = 5;
-/// Those that do not hold what they are mapped to become wider by this fraction.
+/// Relative widening of intervals that do not contain their image.
 const WIDER: f64 = 0.5;
-/// At least by so much, so that rounding does not leave them.
+/// Least widening, so that rounding does not leave an interval.
 const LEAST: f64 = 1e-13;
 
 /// Intervals of unit vectors of the reactions.
 type Directions<S, const N: usize> = [[Enclosed<S>; 2]; N];
 
-/// The multipliers in these modes anywhere in an interval; none where active rows may depend on each other, or where nothing encloses them.
+/// Multipliers in these modes anywhere in an interval; `None` if active rows may depend on each other, or if no enclosure is found.
 pub(super) fn multipliers_within<S: Real, const N: usize>(
     rows: &Rows<Enclosed<S>, N>,
     modes: &[Mode; N],
@@ -40,7 +41,7 @@ pub(super) fn multipliers_within<S: Real, const N: usize>(
         let found = multipliers_along(rows, modes, &tried)?;
         known = rows.directions(&found.lambda, slips);
         if holds(&tried, &known) {
-            // A determinant follows the unit vectors too, whose slopes are not known.
+            // A determinant depends on the unit vectors too, whose slopes are unknown.
             let determinant = Enclosed { slope: Interval::everything(), ..found.determinant };
             return Some(Multipliers { determinant, ..found });
         }
@@ -49,7 +50,7 @@ pub(super) fn multipliers_within<S: Real, const N: usize>(
     None
 }
 
-/// Intervals that hold both and are wider. They have no slopes: d|R| = e . dR, since a unit vector turns across itself.
+/// Intervals that contain both and are wider. They have no slopes: d|R| = e . dR, since the change of a unit vector is perpendicular to it.
 fn widened<S: Real, const N: usize>(a: &Directions<S, N>, b: &Directions<S, N>) -> Directions<S, N> {
     let wider = |a: Enclosed<S>, b: Enclosed<S>| {
         let value = a.value.hull(b.value);
@@ -60,7 +61,7 @@ fn widened<S: Real, const N: usize>(a: &Directions<S, N>, b: &Directions<S, N>) 
     core::array::from_fn(|load| core::array::from_fn(|k| wider(a[load][k], b[load][k])))
 }
 
-/// Does each interval hold the other one? False for what is not a number.
+/// True if each outer interval contains the inner one; false for NaN.
 fn holds<S: Real, const N: usize>(outer: &Directions<S, N>, inner: &Directions<S, N>) -> bool {
     let pairs = outer.as_flattened().iter().zip(inner.as_flattened());
     pairs.fold(true, |all, (outer, inner)| {

@@ -1,9 +1,9 @@
 //! The event of a contact row: impacts, then the next modes.
 //!
 //! 1. Impacts of all rows that touch, in one problem, until no row approaches.
-//! 2. Rows that leave more slowly than rounding allows to follow rest: bouncing has an end.
-//! 3. The next modes by enumeration. A marginal inequality is decided by its rate along the candidate.
-//! 4. Rows that hold have no rate any more; a friction that sticks remembers its place.
+//! 2. Rows that leave so slowly that rounding hides their flight are at rest: bouncing ends.
+//! 3. The next modes by enumeration. A marginal inequality is decided by its rate along the candidate motion.
+//! 4. Constraint rows have no rate any more; a friction that sticks stores its place.
 
 use super::booked::{Booked, Struck};
 use super::bounds::{look_at_bounds, look_at_falling_bounds};
@@ -26,15 +26,15 @@ use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// A gap below this fraction of the length of the mechanism is closed where a run begins, and in steps without events.
+/// Gap, as a fraction of the length of the mechanism, below which a row is closed at the start of a run and in steps without events.
 pub(super) const CLOSED: f64 = 1e-9;
-/// A gap that closes at the time of an event is off by so many roundings of that length, ...
+/// Error of a gap that closes at the time of an event: so many roundings of that length, ...
 const ROUNDED: f64 = 64.0;
-/// ... and by what its rate makes of so many roundings of the time.
+/// ... and the product of its rate with so many roundings of the time.
 const LATE: f64 = 8.0;
-/// One that closes at an event that was located is led to zero from so far away.
+/// Distance, as a fraction of that length, from which a gap that closes at a located event is led to zero.
 const NEAR: f64 = 1e-6;
-/// A slip is none below this fraction of the speed that the free acceleration gives over the length of the mechanism.
+/// Slip, as a fraction of the speed that the free acceleration gives over the length of the mechanism, below which it is zero.
 const NO_SLIP: f64 = 1e-10;
 
 /// Commits the event of the guard `index`: impacts, and the modes that apply from now on.
@@ -51,8 +51,8 @@ pub fn switch<M: Contacts<N>, const N: usize>(
     switch_after(system, t, u, x, (index, M::S::ZERO))
 }
 
-/// The same where the guard has passed zero within a step of the length `step`, s, that was not ended there: a slip that the row can
-/// have got since, and a flight as short as a step, are none.
+/// Commits an event as [`switch`] does, if the guard has passed zero within a step of the length `step`, s, that was not ended there. A
+/// slip that the row can have got since, and a flight as short as a step, count as none.
 ///
 /// # Errors
 /// As [`switch`].
@@ -68,7 +68,7 @@ pub fn switch_after<M: Contacts<N>, const N: usize>(
     }
     let mut occasion = Occasion::of(index, N);
     if let Occasion::Sign { load, row } = &mut occasion {
-        // It is zero: the way that it goes decides.
+        // The reaction is zero: its rate gives the sign.
         let lambda = lambda_of(&system.rows_at(t, u, x), u.modes());
         let rows = moving_rows(system, (t, u), x, &lambda);
         let lambda = multipliers(&rows, &u.modes().of).map_or([Dual::ZERO; N], |found| found.lambda);
@@ -79,7 +79,7 @@ pub fn switch_after<M: Contacts<N>, const N: usize>(
     Event { system, t, occasion, step }.commit(u, x)
 }
 
-/// Finds the modes anew after an event that is none of the rows: forces, motions or parameters may have jumped.
+/// Finds the modes again after an event of no row: forces, motions or parameters may have jumped.
 ///
 /// # Errors
 /// As [`switch`].
@@ -92,8 +92,8 @@ pub fn update<M: Contacts<N>, const N: usize>(
     update_after(system, t, u, x, M::S::ZERO)
 }
 
-/// The same of an event within a step of the length `step`, s, that was not ended there: rows have gone on beyond the ends of their own
-/// slips and flights, and are left there as by the events of these.
+/// Finds the modes as [`update`] does, after an event within a step of the length `step`, s, that was not ended there. Rows that have
+/// passed the ends of their own slips and flights in the step are treated as at the events of these.
 ///
 /// # Errors
 /// As [`switch`].
@@ -110,10 +110,10 @@ pub fn update_after<M: Contacts<N>, const N: usize>(
     Event { system, t, occasion: Occasion::Change, step }.commit(u, x)
 }
 
-/// Finds the modes of a state where a run begins.
+/// Finds the modes of a state at the start of a run.
 ///
 /// # Errors
-/// As [`switch`]; [`Cause::Sunk`] where a gap is negative.
+/// As [`switch`]; [`Cause::Sunk`] if a gap is negative.
 pub fn begin<M: Contacts<N>, const N: usize>(
     system: &M,
     t: M::S,
@@ -125,23 +125,23 @@ pub fn begin<M: Contacts<N>, const N: usize>(
     event.commit(u, x)
 }
 
-/// The reason for finding modes.
+/// Reason for finding modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Occasion {
-    /// A run begins.
+    /// Start of a run.
     Start,
-    /// A change that is none of the rows.
+    /// An event of no row.
     Change,
     /// The guard of a row has passed zero.
     Guard { row: usize },
-    /// The sign of a reaction changes, which bounds a row.
+    /// The sign of a reaction that bounds a row changes.
     Sign { load: usize, row: Option<usize> },
     /// The determinant of the active rows passes zero.
     Determinant,
 }
 
 impl Occasion {
-    /// Of a guard among those of `rows` rows; the last one is that of the determinant.
+    /// Reason of a guard among those of `rows` rows; the last guard is that of the determinant.
     fn of(index: usize, rows: usize) -> Self {
         match (index / PER_ROW, index % PER_ROW) {
             (row, _) if row >= rows => Self::Determinant,
@@ -150,12 +150,12 @@ impl Occasion {
         }
     }
 
-    /// Has the motion come to it, rather than a start or a jump?
+    /// True if the motion has come to the event, false for a start or a jump.
     pub(super) fn comes_by_motion(self) -> bool {
         !matches!(self, Self::Start | Self::Change)
     }
 
-    /// The row that it is of.
+    /// Row of the event.
     pub(super) fn row(self) -> Option<usize> {
         match self {
             Self::Start | Self::Change | Self::Determinant => None,
@@ -170,7 +170,7 @@ pub(super) struct Event<'a, M: Contacts<N>, const N: usize> {
     pub(super) system: &'a M,
     pub(super) t: M::S,
     pub(super) occasion: Occasion,
-    /// The time since the guard may have passed zero, s.
+    /// Longest time since the guard passed zero, s.
     pub(super) step: M::S,
 }
 
@@ -184,7 +184,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             return Err(self.fault(row, Cause::NotUnique { p: p.to_f64() }));
         }
         self.settle_rest(&mut rows, u, x)?;
-        // Before the impacts, after which rates may be rounding alone.
+        // Computed before the impacts: after them rates may be rounding alone.
         let none = rounding(&rows).max(rounding_of_velocities(self.system, (self.t, u), x));
         let (mut struck, mut slowest) = (Struck::nothing(), None);
         let (solution, is_ambiguous) = loop {
@@ -202,7 +202,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             if slowest.is_some() || !indices::<N>().any(|i| sinks(i, none)) {
                 break (solution, is_ambiguous);
             }
-            // Slow approaches are none to rows that close. One that opens would sink in, and be an event again at once.
+            // Slow approaches are no impacts for rows that close. A row that opens would penetrate, and its event would recur at once.
             let slow = none.max(self.no_slip(acceleration::<M, N>(&rows, u)));
             if !indices::<N>().any(|i| sinks(i, slow)) {
                 break (solution, is_ambiguous);
@@ -213,7 +213,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let before = *u.modes();
         let orientation = M::S::lit(1.0) / solution.determinant;
         let Solution { modes: of, carried, negative, .. } = solution;
-        // One that sticks on stays in its place.
+        // A row that continues to stick stays in its place.
         let sticks_on = |i: usize| before.of[i] == Mode::Sticks && of[i] == Mode::Sticks;
         let place = Vector::from_fn(|i| if sticks_on(i) { before.place[i] } else { rows.gap[i] });
         let after = Modes { of, carried, place, orientation, negative, change: before.change };
@@ -236,7 +236,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         Ok(outcome)
     }
 
-    /// Leads the state to the modes that apply from now on; `before` the event they were others. `rows` are those after the impacts.
+    /// Moves the state to the modes that apply from now on; `before` are the modes before the event, `rows` the rows after the impacts.
     fn arrive(
         &self,
         (laws, rows): (&[Law<M::S>; N], &Rows<M::S, N>),
@@ -250,8 +250,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         if !begins && (impacts > 0 || indices::<N>().any(closes)) {
             end_flights(self.system, (self.t, u, rows), x);
         }
-        // A gap that closes may be some tolerances away from zero: no step is to find that. After a step of fixed length it is left to
-        // the steps where it is farther away.
+        // A gap that closes may be some tolerances away from zero: it is led there, so that no step has to. After a step of fixed
+        // length a larger gap is left to the next steps.
         let most = M::S::lit(if self.step > M::S::ZERO { CLOSED } else { NEAR }) * self.system.length();
         let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
         if indices::<N>().any(|i| after.of[i] == Mode::Closed && is_far(i)) {
@@ -261,7 +261,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         project(self.system, self.t, u, x)
     }
 
-    /// Gaps that are closed, and frictions.
+    /// True for gaps that are closed, and for frictions that exist.
     pub(super) fn touches(&self, laws: &[Law<M::S>; N], rows: &Rows<M::S, N>, u: &M::U) -> [bool; N] {
         let modes = u.modes();
         core::array::from_fn(|i| {
@@ -276,8 +276,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         })
     }
 
-    /// Below this a gap of this rate is closed. After the start it is what rounding of the state and of the time makes of a gap that
-    /// closes at the time of the event: one that closes later, however soon, has an impact of its own.
+    /// Gap below which a row of this rate is closed. After the start it is the rounding of state and time for a gap that closes at the
+    /// time of the event: a gap that closes later, however soon, has an impact of its own.
     fn near(&self, rate: M::S) -> M::S {
         if self.occasion == Occasion::Start {
             return M::S::lit(CLOSED) * self.system.length();
@@ -286,7 +286,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         late.mul_add((-rate).max(M::S::ZERO), M::S::lit(ROUNDED) * M::S::EPSILON * self.system.length())
     }
 
-    /// The modes that each row may have, by its gap and its rate.
+    /// Modes that each row may have, by its gap and its rate.
     fn allowed(
         &self,
         laws: &[Law<M::S>; N],
@@ -320,7 +320,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             let since = if has_slipped { self.step * acceleration } else { M::S::ZERO };
             let none = none.max(self.no_slip(acceleration)).max(since);
             match rows.rate[i] {
-                // It slips by flights alone that are not followed.
+                // It slips only by flights that are ignored.
                 slip if slip.abs() > none && behind[i].abs() <= none => Allowed::Resting,
                 slip if slip > none => Allowed::Only(Mode::Forwards),
                 slip if slip < -none => Allowed::Only(Mode::Backwards),
@@ -333,7 +333,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         })
     }
 
-    /// Has the motion gone on beyond the end of a slip or of a flight in the step, which another event of that step has come to first?
+    /// True if the motion has passed the end of a slip or of a flight in the step, which another event of that step ended first.
     fn has_passed(&self, rows: &Rows<M::S, N>, row: usize, u: &M::U) -> bool {
         let (row, zero) = (below::<N>(row), M::S::ZERO);
         let beyond = match u.modes().of[row] {
@@ -344,7 +344,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         self.step > zero && beyond < zero
     }
 
-    /// Slower than this a friction does not slip.
+    /// Speed below which a friction does not slip.
     fn no_slip(&self, acceleration: M::S) -> M::S {
         M::S::lit(NO_SLIP) * (acceleration * self.system.length()).sqrt()
     }
@@ -354,7 +354,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 }
 
-/// The rows with their rates of change, where contact forces are `lambda`.
+/// The rows with their rates of change under the contact forces `lambda`.
 pub(super) fn moving_rows<M: Contacts<N>, const N: usize>(
     system: &M,
     (t, u): (M::S, &M::U),

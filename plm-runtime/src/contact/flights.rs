@@ -1,4 +1,4 @@
-//! Flights that are none: rows that leave so slowly that they rest.
+//! Flights that are too low to follow: rows that leave so slowly count as at rest.
 
 use super::event::{Event, moving_rows};
 use super::multipliers::multipliers;
@@ -7,14 +7,14 @@ use super::{Contacts, Modal, lambda_of};
 use crate::dual::Dual;
 use crate::scalar::{Real, Scalar};
 
-/// A flight of a height below so many roundings of the length is none.
+/// Height, in roundings of the length, below which a flight is ignored.
 const LOWEST_FLIGHT: f64 = 1000.0;
-/// A row with a smaller fraction of the own entry of D says nothing of what pulls others.
+/// Rows with a diagonal entry of D below this fraction of the own one are ignored in the search for the largest pull.
 const LIGHT: f64 = 1e-6;
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
-    /// Slower than this a row rests: its flight would be lower than rounding. What pulls it may be what pulls others: a block on a block
-    /// falls as fast as that, until it is held.
+    /// Rate below which a row is at rest: its flight would be lower than rounding. The pull on another row may act on it too: a block on
+    /// a block falls as fast as that one, until it is held.
     pub(super) fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
         let row = below::<N>(row);
         let own = rows.delassus[row][row];
@@ -27,12 +27,12 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         (M::S::lit(2.0) * pull * self.lowest_flight()).sqrt()
     }
 
-    /// A flight of a smaller height is none.
+    /// Height below which a flight is ignored.
     fn lowest_flight(&self) -> M::S {
         M::S::lit(LOWEST_FLIGHT) * M::S::EPSILON * self.system.length()
     }
 
-    /// Slower than this the flight of a row whose impact was not located would end within a step, or below zero where it has begun.
+    /// Rate below which the flight of a row whose impact was not located would end within a step, or below zero after a penetration.
     pub(super) fn short(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
         let row = below::<N>(row);
         let (zero, pull) = (M::S::ZERO, rows.free[row].abs());
@@ -40,8 +40,8 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         (M::S::lit(0.5) * self.step * pull).max((M::S::lit(2.0) * pull * depth).sqrt())
     }
 
-    /// Does a row leave for a flight that is too low to be one, as acceleration and jerk shape it? Where two bodies on springs of one
-    /// frequency strike each other nothing pulls them together at that moment, and the flight is as high as it is fast.
+    /// True for rows that leave for a flight that is too low to follow, with acceleration and jerk. If two bodies on springs of one
+    /// frequency strike each other, nothing pulls them together at that moment, and the flight is as high as it is fast.
     pub(super) fn returns_at_once(
         &self,
         rows: &Rows<M::S, N>,
@@ -64,7 +64,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     }
 }
 
-/// The height of a flight that begins with this rate, acceleration and jerk; none where these lead it away.
+/// Height of a flight that begins with this rate, acceleration and jerk; `None` if the row does not return.
 fn highest<S: Real>(rate: S, acceleration: S, jerk: S) -> Option<S> {
     let (half, sixth) = (S::lit(0.5), S::lit(1.0 / 6.0));
     // The first root of rate + acceleration t + jerk t^2/2.

@@ -1,8 +1,8 @@
 //! Guards of contact rows: at a state, over an interval, and over a whole step.
 //!
-//! What they read depends on the modes. A gap that is open, and a row that slips by a bound of its own, need gaps and rates alone. A force
-//! that acts on a motion shapes it, so that the error of the step tells of it; a force that holds a row moves nothing, and neither does a
-//! gap. So those two are enclosed over a step, and a row that slips is looked at in some places of it.
+//! The modes determine which quantities a guard needs. An open gap, and a row that slips by a bound of its own, need gaps and rates alone.
+//! A force that acts on a motion shapes the motion, so that the error estimate of the step reflects it; the force of a constraint row
+//! moves nothing, and neither does a gap. Those two are enclosed over a step, and a row that slips is evaluated at some points of it.
 
 use super::bounds::least_bound;
 use super::driven::rests;
@@ -15,14 +15,14 @@ use super::{Contacts, Modal, change_in_steps};
 use crate::enclosure::Enclosed;
 use crate::scalar::Scalar;
 
-/// A guard stays on its side if it is larger than so many times its second difference over half of the step, ...
+/// A guard keeps its sign if it is larger than so many times its second difference over half of the step, ...
 const BENT: f64 = 2.0;
-/// ... and than this fraction of its change.
+/// ... and larger than this fraction of its change.
 const CHANGED: f64 = 0.125;
-/// The determinant of rows that slip is 1 where none bounds another one. It is looked at over the step where it is below this.
+/// The determinant of slipping rows is 1 if none bounds another one. Below this value it is checked over the step.
 const COUPLED: f64 = 0.5;
 
-/// Guards of the rows in the modes held, for [`Events::guards`](crate::Events::guards): gives each of the
+/// Guards of the rows in the present modes, for [`Events::guards`](crate::Events::guards): gives each of the
 /// [`guard_count`](super::guard_count) with its index.
 pub fn guards<M: Contacts<N>, const N: usize>(
     system: &M,
@@ -54,8 +54,8 @@ pub fn guards<M: Contacts<N>, const N: usize>(
     }
 }
 
-/// Guards over an interval, for [`Events::guards_within`](crate::Events::guards_within). Those of rows that slip while none holds are
-/// left out: it is false then.
+/// Guards over an interval, for [`Events::guards_within`](crate::Events::guards_within). Returns false if some are not given: those of
+/// slipping rows while no row is a constraint, those of rows that a drive lets rest, and all if multipliers have no enclosure.
 pub fn guards_within<M: Contacts<N>, const N: usize>(
     system: &M,
     t: Enclosed<M::S>,
@@ -81,7 +81,7 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
         return !indices::<N>().any(rests);
     }
     let slips = modes.of.iter().any(|mode| mode.slips());
-    // Where every row slips nothing is known.
+    // If every row slips nothing is known.
     if !modes.of.iter().all(|mode| mode.slips()) {
         let rows = system.kinematics(t, u, x, &Enclosed::constant);
         free_margins(&rows, modes, (orientation, None), &mut |index, margin| {
@@ -96,7 +96,7 @@ pub fn guards_within<M: Contacts<N>, const N: usize>(
 }
 
 /// True if no guard comes near to zero in a step, for [`Events::stay`](crate::Events::stay), whose arguments these are; `end` gives the
-/// guards at its end. Most steps need no dense output then.
+/// guards at its end. Most steps then need no dense output.
 pub fn stay<M: Contacts<N>, const N: usize>(
     system: &M,
     u: &M::U,
@@ -134,12 +134,12 @@ pub fn stay<M: Contacts<N>, const N: usize>(
         let (bent, changed) = ((a - b - b + c).abs(), (c - a).abs());
         a.min(b).min(c) > M::S::lit(BENT) * bent + M::S::lit(CHANGED) * changed
     };
-    // Signs of reactions that bound nothing are far.
+    // Signs of reactions that bound nothing are far from zero.
     indices::<N>().all(|row| !modes.of[row].slips() || (0..SIGN).all(|k| is_clear(row, k)))
         && indices::<N>().all(|load| is_clear(load, SIGN))
 }
 
-/// Guards of rows while none holds; but those of gaps, which are left out.
+/// Guards at a state, while no row is a constraint.
 fn slipping<M: Contacts<N>, const N: usize>(system: &M, u: &M::U, t: M::S, x: &M::X) -> [[M::S; PER_ROW]; N] {
     let (modes, mut found) = (u.modes(), [[M::S::ZERO; PER_ROW]; N]);
     let kinematics = system.kinematics_at(t, u, x);
@@ -154,14 +154,14 @@ fn slipping<M: Contacts<N>, const N: usize>(system: &M, u: &M::U, t: M::S, x: &M
     } else if let Some(sizes) = system.sliding(t, u, x) {
         free_margins(&kinematics, modes, (modes.orientation, Some(&sizes)), &mut each);
     } else {
-        // Where multipliers are not unique guards are zero, which is not clear.
+        // If multipliers are not unique the guards stay zero, so that none is clear.
         let _ = margins(&system.rows_at(t, u, x), (modes, modes.orientation), &mut each);
     }
     found
 }
 
-/// Gives each margin where no row holds, and what is off stays off. `sizes` are those of reactions along a line where sweeps have found
-/// the forces of rows that slip: where these converge, the determinant has not come to zero since the modes were chosen.
+/// Gives each margin while no row is a constraint and rows that are off stay off. `sizes` are those of reactions along a line, if sweeps
+/// have found the forces of slipping rows: if these converge, the determinant has not come to zero since the modes were chosen.
 fn free_margins<T: Scalar, const N: usize>(
     rows: &Kinematics<T, N>,
     modes: &Modes<impl Scalar, N>,
@@ -188,7 +188,7 @@ fn free_margins<T: Scalar, const N: usize>(
     each(PER_ROW * N, if sizes.is_some() { far } else { orientation } - least);
 }
 
-/// No row holds, none that is off can get a force unless a gap closes, and no bound has to be looked at.
+/// True if no row is a constraint, no row that is off can get a force unless a gap closes, and no bound has to be checked.
 fn is_free<M: Contacts<N>, const N: usize>(system: &M, u: &M::U) -> bool {
     let is_there = |row: usize| system.exists(u, row);
     let stays_off = |row: usize| system.is_bounded_by_pushes(row) || !is_there(row);
@@ -198,7 +198,7 @@ fn is_free<M: Contacts<N>, const N: usize>(system: &M, u: &M::U) -> bool {
     u.modes().of.iter().enumerate().all(is_free)
 }
 
-/// The second margin of a friction whose bound may become negative is no larger than that bound.
+/// Limits the second margin of a friction whose bound may become negative to that bound.
 fn bounded<'a, M: Contacts<N>, T: Scalar, const N: usize>(
     system: &'a M,
     rows: &'a Rows<T, N>,
@@ -211,7 +211,7 @@ fn bounded<'a, M: Contacts<N>, T: Scalar, const N: usize>(
     }
 }
 
-/// Margins of rows that do not exist are far, and so are those of constraints. Reactions have theirs where rows read them.
+/// Sets the margins of rows that do not exist, and of constraints, to 1. A reaction has a margin if rows read it.
 fn existing<'a, M: Contacts<N>, T: Scalar, const N: usize>(
     system: &'a M,
     u: &'a M::U,

@@ -1,30 +1,33 @@
 //! Discrete state of contact rows in a generated mechanism: modes, multipliers, counters.
 //!
-//! Generated code for `N` rows (or reactions that bound frictions, if there are more of these), `rt` being [`generated`](crate::generated); `tests/contact/block.rs` has all of it for one mechanism.
-//! `g` is the number of the mechanism's own conditions, `C` is `rt::contact::guard_count(N)`.
+//! Generated code for `N` rows (or reactions that bound frictions, if there are more of these) has the following parts. `rt` is
+//! [`generated`](crate::generated), `g` is the number of the mechanism's own conditions, `C` is `rt::contact::guard_count(N)`.
+//! `tests/contact/block.rs` shows all of it for one mechanism.
 //!
 //! * The discrete state has `rt::contact::Held<S, N>` as its `contact`: `open()` where it is made, `packed(&first.contact, all.map(|held|
 //!   &held.contact), &number)` in `pack_held`. In charts, `Charted::Contact` is this type.
-//! * Functions for any [`Scalar`]: gaps and rates of the [`Rows`](super::Rows) at a state; and the rate without contact forces, with the rest
-//!   of the rows and the `responses`, what a multiplier of one adds to the rate. They read no multipliers, and of the modes the signs of
-//!   reactions alone.
-//! * `Rate::rate`: where [`has_forces`](Held::has_forces), that second function, then [`add_forces`](super::add_forces); else the motion, which
-//!   reads `u.contact.lambda` as it reads inputs. Where nothing holds ([`slipping`](super::slipping)), the forces of rows that slip by
-//!   [`slide`](super::slide) with a function of sweeps, and accelerations with them. The rate by rank and outputs need a copy by
-//!   [`with_multipliers`](super::with_multipliers). Where the rate is not affine in the multipliers, the motion with that copy, then
-//!   [`settle`](super::settle). Derivatives come from running all of it on [`Dual`](crate::Dual) numbers: multipliers depend on the state.
-//! * [`Contacts<N>`](super::Contacts), with `rows` and `kinematics` by `pack` and `pack_held`, `rows_at` and `kinematics_at` without; `sliding`
-//!   has the sizes of reactions along a line that `slide` has led to; `project_joints` and `drift_of_joints`
-//!   are what `project` and `drift` of the mechanism were without contact. Where there are more reactions than rows, rows that are none
-//!   do not exist.
+//! * Functions for any [`Scalar`]: gaps and rates of the [`Rows`](super::Rows) at a state; and the rate without contact forces, with the
+//!   other parts of the rows and the `responses`, the changes of the rate by unit multipliers. They read no multipliers, and of the modes
+//!   only the signs of reactions.
+//! * `Rate::rate`: if [`has_forces`](Held::has_forces), that second function, then [`add_forces`](super::add_forces); else the motion,
+//!   which reads `u.contact.lambda` as it reads inputs. If no row is a constraint ([`slipping`](super::slipping)),
+//!   [`slide`](super::slide) with a function of sweeps gives the forces of slipping rows and the accelerations. The rate by rank and
+//!   outputs need a copy by [`with_multipliers`](super::with_multipliers). If the rate is not affine in the multipliers: the motion with
+//!   that copy, then [`settle`](super::settle). Derivatives come from running all of it on [`Dual`](crate::Dual) numbers, since
+//!   multipliers depend on the state.
+//! * [`Contacts<N>`](super::Contacts), with `rows` and `kinematics` by `pack` and `pack_held`, `rows_at` and `kinematics_at` without;
+//!   `sliding` returns the sizes of reactions along a line from `slide`; `project_joints` and `drift_of_joints` are `project` and `drift`
+//!   of the mechanism without contact. If there are more reactions than rows, the surplus rows do not exist.
 //! * `Constraints`: [`project`](super::project), [`drift`](super::drift).
-//! * [`Switched`](crate::Switched): `Guards` has `g + C` numbers, `Contact` is [`WithContact<N>`](crate::switched::WithContact), and the tables have
-//!   the number of rows, `C` as `contact_guards`, and `bends` where some are bounded by a reaction in the plane. The runtime makes `Events` of it.
-//! * Steps of time: `Contacts` has `motion_at`, the rate without contact forces, the responses and the rows in one pass, and `moves_by_time`.
+//! * [`Switched`](crate::Switched): `Guards` has `g + C` numbers, `Contact` is [`WithContact<N>`](crate::switched::WithContact), and the
+//!   tables have the number of rows, `C` as `contact_guards`, and `bends` if a reaction in the plane bounds a row. The runtime derives
+//!   `Events`.
+//! * Time steps: `Contacts` has `motion_at`, the rate without contact forces, the responses and the rows in one pass, and
+//!   `moves_by_time`.
 //! * `Linear`: `held_rows` is [`held_rows`](super::held_rows).
-//! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` that of the row `i / 3`, of each third one that of a row which reads the
-//!   reaction `i / 3`.
-//! * [`begin`](super::begin) is the last thing of a start. A `renew` needs no more.
+//! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` is that of the row `i / 3`, for each third one that of a row
+//!   which reads the reaction `i / 3`.
+//! * [`begin`](super::begin) is the last call of a start. `renew` needs no more.
 
 use super::booked::Booked;
 use super::modes::{Change, Mode, Modes};
@@ -35,12 +38,12 @@ use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
-/// Discrete state of `N` contact rows; changed only at events.
+/// Discrete state of `N` contact rows: constant during a step, changed only at events.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held<S, const N: usize> {
     /// The modes of the rows.
     pub modes: Modes<S, N>,
-    /// The multipliers, N or N m. The rate computes with a copy that has those of its moment; the state of a run has zeros.
+    /// Multipliers, N or N m. The rate uses a copy with those at its state; in the state of a run they are zero.
     pub lambda: [S; N],
     /// Events of contact since the run began.
     pub counts: Counts,
@@ -49,7 +52,7 @@ pub struct Held<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> Held<S, N> {
-    /// Every gap is open.
+    /// State with all gaps open.
     #[must_use]
     pub fn open() -> Self {
         Self {
@@ -60,7 +63,7 @@ impl<S: Scalar, const N: usize> Held<S, N> {
         }
     }
 
-    /// The states `all` as one in other numbers, each made by `number`. The modes are those of the `first`.
+    /// The states `all` as one state in other numbers, each made by `number`. The modes are those of `first`.
     pub fn packed<T: Scalar, const K: usize>(
         first: &Self,
         all: [&Self; K],
@@ -74,14 +77,14 @@ impl<S: Scalar, const N: usize> Held<S, N> {
         Held { modes, lambda, counts, booked }
     }
 
-    /// Some row pushes or rubs; else multipliers are zero, as they are held.
+    /// True if some row is a constraint or slips; else all multipliers are zero, as stored.
     pub fn has_forces(&self) -> bool {
         self.modes.of.iter().any(|mode| mode.holds() || mode.slips())
     }
 }
 
 impl<S, const N: usize> Held<S, N> {
-    /// What the rows do.
+    /// Status of the rows.
     pub fn status(&self) -> Status<'_> {
         let (counts, booked) = (self.counts, &self.booked);
         let (impulses, energy) = (&booked.impulses()[..], booked.energy());
@@ -89,8 +92,8 @@ impl<S, const N: usize> Held<S, N> {
     }
 }
 
-/// Modes, rows that others hold, signs of reactions, when they change, places, orientation, multipliers, impulses and energy of impacts. What was counted
-/// is not shown.
+/// Words of the modes, the rows that others carry, the signs of reactions, the time of changes, places, orientation, multipliers, and of
+/// impulses and energy of impacts. Counters are left out.
 impl<S: Real, const N: usize> InWords for Held<S, N> {
     fn each(&mut self, words: &mut impl Words) {
         let Modes { of, carried, place, orientation, negative, change } = &mut self.modes;
@@ -112,12 +115,12 @@ impl<S: Real, const N: usize> InWords for Held<S, N> {
     }
 }
 
-/// A discrete state that has the modes of `N` contact rows.
+/// A discrete state that contains the modes of `N` contact rows.
 pub trait Modal<S, const N: usize> {
     /// The modes.
     fn modes(&self) -> &Modes<S, N>;
 
-    /// The modes, to be changed.
+    /// The modes, mutable.
     fn modes_mut(&mut self) -> &mut Modes<S, N>;
 
     /// Modes of the rows, counts, impulses and energies.
@@ -125,12 +128,12 @@ pub trait Modal<S, const N: usize> {
         Status::default()
     }
 
-    /// Counts an event; from zero on where a run begins.
+    /// Counts an event; the counters restart at zero if a run begins.
     fn count(&mut self, outcome: &Outcome, begins: bool) {
         let _ = (outcome, begins);
     }
 
-    /// What was booked of impacts, where that is kept.
+    /// Record of impacts, if the state has one.
     fn booked(&mut self) -> Option<&mut Booked<N>> {
         None
     }

@@ -1,12 +1,12 @@
 //! Impacts: impulses of all rows that touch, in one problem.
 //!
 //! Poisson's law (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8): compression until no row
-//! approaches, then expansion, which gives back the fraction e of each normal impulse. The friction of both phases is bounded by the normal
-//! impulses of the phase. Newton's law asks for the rate -e times that before; with friction it can create energy. Limits that do not
+//! approaches, then expansion, which returns the fraction e of each normal impulse. The friction of each phase is bounded by the normal
+//! impulses of that phase. Newton's law demands the rate -e times that before; with friction it can create energy. Limits that do not
 //! depend on contact forces carry no impulse.
 //!
-//! Where more rows rest after compression than there are freedoms, its impulses are one of many solutions. Expansion gives back fractions
-//! of them, and so rates that are one of many.
+//! If more rows are at rest after compression than there are degrees of freedom, its impulses are one of many solutions. Expansion returns
+//! fractions of them, so that the rates after it are one of many too.
 
 use super::candidates::{Allowed, Found, MARGINAL, Solution, enumerate, is_same_motion};
 use super::loads::Load;
@@ -16,10 +16,10 @@ use crate::scalar::Real;
 /// The law of impact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ImpactLaw {
-    /// The fraction e of the impulse of compression comes back.
+    /// Expansion returns the fraction e of the impulse of compression.
     #[default]
     Poisson,
-    /// The fraction e of the rate of approach comes back.
+    /// The rate after the impact is the fraction e of the rate of approach.
     Newton,
     /// Poisson's law for one normal row after the other, the fastest approach first.
     Sequential,
@@ -27,7 +27,7 @@ pub enum ImpactLaw {
 
 /// Impulses of all rows.
 pub(super) enum Impulses<S, const N: usize> {
-    /// And what else would satisfy all laws.
+    /// The impulses, and the ambiguities of the laws.
     Found([S; N], Doubts),
     /// No combination of modes satisfies all inequalities.
     Nothing,
@@ -35,17 +35,17 @@ pub(super) enum Impulses<S, const N: usize> {
     TooMany,
 }
 
-/// What the laws of an impact leave open.
+/// Ambiguities that the laws of an impact leave.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Doubts {
     /// Other impulses, with other rates after them, satisfy all inequalities as well; or another row could have been the first.
     pub is_ambiguous: bool,
-    /// Compression may share its impulses otherwise, and expansion gives other rates then.
+    /// Compression may share its impulses otherwise, and expansion would then give other rates.
     pub is_undetermined: bool,
 }
 
 impl Doubts {
-    /// Those of two impacts or phases.
+    /// Ambiguities of two impacts or phases together.
     pub(super) fn and(self, other: Self) -> Self {
         let is_undetermined = self.is_undetermined || other.is_undetermined;
         Self { is_ambiguous: self.is_ambiguous || other.is_ambiguous, is_undetermined }
@@ -55,15 +55,15 @@ impl Doubts {
 /// Impulses and rates of one phase of an impact.
 pub(super) struct Answer<S, const N: usize> {
     pub(super) lambda: [S; N],
-    /// The rates of the rows after it.
+    /// Rates of the rows after the phase.
     pub(super) rate: [S; N],
     /// Other impulses, with other rates after them, satisfy all inequalities as well.
     pub(super) is_ambiguous: bool,
-    /// The combination of modes that gives them, where all were tried.
+    /// Combination of modes of the solution, if all combinations were tried.
     pub(super) combination: Option<Solution<S, N>>,
 }
 
-/// The impulses of the rows that touch, `touches`, of which one approaches at least; `solve` solves the problem of a phase.
+/// Impulses of the rows that touch, `touches`, at least one of which approaches; `solve` solves the problem of a phase.
 pub(super) fn impulses<S: Real, const N: usize>(
     rows: &mut Rows<S, N>,
     laws: &[Law<S>; N],
@@ -91,7 +91,7 @@ pub(super) fn impulses<S: Real, const N: usize>(
     let found = if laws.contains(&Law::Friction) {
         of_rates(&mut without_own_limits(rows))
     } else {
-        // Limits are of no meaning: accelerations are all that differs, and come back.
+        // Without frictions, limits have no meaning: only the free accelerations change, and they are restored.
         let free = core::mem::replace(&mut rows.free, rows.rate);
         let found = of_rates(rows);
         rows.free = free;
@@ -103,7 +103,7 @@ pub(super) fn impulses<S: Real, const N: usize>(
     }
 }
 
-/// Does another row approach as fast as the fastest one, and do their impacts change each other? Then their order decides what comes out.
+/// True if another row approaches as fast as the fastest one and their impacts influence each other: then their order decides the outcome.
 fn is_as_fast<S: Real, const N: usize>(rows: &Rows<S, N>, fastest: usize, other: usize) -> bool {
     let (d, none) = (&rows.delassus, S::lit(MARGINAL));
     let [fastest, other] = [fastest, other].map(below::<N>);
@@ -112,7 +112,7 @@ fn is_as_fast<S: Real, const N: usize>(rows: &Rows<S, N>, fastest: usize, other:
     other != fastest && couples && apart <= none * rows.rate[fastest].abs()
 }
 
-/// The problem of rates: accelerations are rates after the impact, forces are impulses.
+/// Problem of the rates: accelerations stand for the rates after the impact, forces for impulses.
 fn without_own_limits<S: Real, const N: usize>(rows: &Rows<S, N>) -> Rows<S, N> {
     let mut problem = Rows { free: rows.rate, adhesion: rows.kinetic, ..*rows };
     for friction in problem.kinetic.iter_mut().chain(&mut problem.adhesion) {
@@ -149,7 +149,7 @@ fn poisson<S: Real, const N: usize>(
     if back.iter().all(|impulse| *impulse == S::ZERO) {
         return Ok(Impulses::Found(compression.lambda, doubts));
     }
-    // From here on it is that of expansion.
+    // From here on the problem is that of expansion.
     for i in 0..N {
         let sum = problem.delassus[i].iter().zip(&back);
         problem.free[i] = sum.fold(compression.rate[i], |rate, (d, back)| d.mul_add(*back, rate));
@@ -171,7 +171,7 @@ fn poisson<S: Real, const N: usize>(
     Ok(Impulses::Found(core::array::from_fn(sum), doubts.and(other)))
 }
 
-/// What expansion gives back at least of the impulses of compression.
+/// Least impulses of expansion: the fractions of the impulses of compression.
 fn given_back<S: Real, const N: usize>(laws: &[Law<S>; N], compression: &[S; N]) -> [S; N] {
     core::array::from_fn(|i| match laws[i] {
         Law::Unilateral { restitution } => restitution * compression[i],
@@ -179,8 +179,8 @@ fn given_back<S: Real, const N: usize>(laws: &[Law<S>; N], compression: &[S; N])
     })
 }
 
-/// May rows share the impulses of a compression otherwise, with the same rates after it and others after the expansion? All solutions of
-/// a compression are between those whose rows are independent, which are among the combinations.
+/// True if rows may share the impulses of a compression otherwise, with equal rates after it and other rates after the expansion. All
+/// solutions of a compression lie between those with independent rows, which are among the combinations.
 fn is_shared<S: Real, const N: usize>(
     problem: &Rows<S, N>,
     laws: &[Law<S>; N],
@@ -209,7 +209,7 @@ fn is_shared<S: Real, const N: usize>(
     differs
 }
 
-/// Impulses and rates of a phase, by all inequalities.
+/// Impulses and rates of a phase, from the enumeration of all modes.
 pub(super) fn by_enumeration<S: Real, const N: usize>(
     problem: &Rows<S, N>,
     laws: &[Law<S>; N],
@@ -225,7 +225,7 @@ pub(super) fn by_enumeration<S: Real, const N: usize>(
     }
 }
 
-/// The modes of each row.
+/// Modes that each row may have in an impact.
 fn allowed<S: Real, const N: usize>(laws: &[Law<S>; N], touches: &[bool; N]) -> [Allowed; N] {
     core::array::from_fn(|i| match laws[i].fixed(touches[i]) {
         Some(mode) => Allowed::Only(mode),

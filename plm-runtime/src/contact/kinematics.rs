@@ -1,4 +1,4 @@
-//! Contact rows at a state as far as they are known without forces.
+//! Kinematics of contact rows: the quantities at a state that need no forces.
 
 use super::loads::Load;
 use super::modes::Modes;
@@ -16,7 +16,7 @@ pub struct Kinematics<T, const N: usize> {
     pub load: [Load; N],
     /// As [`Rows::read`].
     pub read: [[bool; N]; N],
-    /// Limits of the row read multipliers.
+    /// True for rows whose limits depend on multipliers.
     pub is_coupled: [bool; N],
 }
 
@@ -33,7 +33,7 @@ impl<T: Scalar, const N: usize> Kinematics<T, N> {
         }
     }
 
-    /// Those of rows that are known.
+    /// Kinematics of known rows.
     pub(super) fn of(rows: &Rows<T, N>) -> Self {
         let Rows { gap, rate, load, read, .. } = *rows;
         let is_coupled = core::array::from_fn(|row| {
@@ -43,25 +43,26 @@ impl<T: Scalar, const N: usize> Kinematics<T, N> {
         Self { gap, rate, load, read, is_coupled }
     }
 
-    /// Rows with these gaps and rates, of which nothing else is known yet.
+    /// Rows with these gaps and rates, without any other data.
     #[must_use]
     pub fn rows(self) -> Rows<T, N> {
         let Self { gap, rate, load, read, .. } = self;
         Rows { gap, rate, load, read, ..Rows::none() }
     }
 
-    /// Is a reaction a force along a line, whose sign is held?
+    /// True if a reaction is a force along a line, whose sign is constant during a step.
     pub(super) fn is_line(&self, load: usize) -> bool {
         matches!(self.load[below::<N>(load)], Load::Line { .. })
     }
 
-    /// Does a reaction bound a row that slips?
+    /// True if a reaction bounds a row that slips.
     pub(super) fn bounds_slip(&self, load: usize, modes: &Modes<impl Scalar, N>) -> bool {
         let load = below::<N>(load);
         indices::<N>().any(|row| self.read[row][load] && modes.of[row].slips())
     }
 
-    /// Do guards read forces, where no row holds? A bound by a reaction has a sign, and it couples the rows that slip.
+    /// True if guards depend on forces while no row is a constraint. A bound by a reaction has a sign, and it couples
+    /// the slipping rows.
     pub(super) fn reads_forces(&self, modes: &Modes<impl Scalar, N>) -> bool {
         indices::<N>()
             .any(|row| modes.of[row].slips() && (self.read[row].contains(&true) || self.is_coupled[row]))

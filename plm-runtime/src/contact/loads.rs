@@ -1,7 +1,7 @@
 //! Reactions of joints that bound frictions: forces R that are affine in the multipliers, whose size |R| is not.
 //!
 //! Newton's method on |R| replaces it by e . R with the unit vector e of the last R, since |R| + e . dR = e . (R + dR). For a reaction
-//! along one line e is a sign, which is held over a step; at its change the rate bends.
+//! along one line e is a sign, which is constant during a step; the rate has a kink where it changes.
 
 use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
@@ -10,7 +10,7 @@ use crate::vector::Vector;
 /// An affine function of the multipliers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Affine<T, const N: usize> {
-    /// Without contact forces.
+    /// Value without contact forces.
     pub own: T,
     /// Factors of the multipliers.
     pub by: [T; N],
@@ -33,14 +33,14 @@ impl<T: Scalar, const N: usize> Affine<T, N> {
 pub enum Load {
     /// There is none.
     Nothing,
-    /// A force along a line; its sign is held.
+    /// A force along a line; its sign is constant during a step.
     Line {
-        /// It is negative.
+        /// True if it is negative.
         negative: bool,
     },
-    /// The same where an event has decided the sign of a force that is zero.
+    /// A force along a line that is zero at an event, which has decided its sign.
     Turned {
-        /// It becomes negative.
+        /// True if it becomes negative.
         negative: bool,
     },
     /// A force in the plane.
@@ -48,32 +48,32 @@ pub enum Load {
 }
 
 impl Load {
-    /// The sign that is held is negative.
+    /// True if the sign stored for the step is negative.
     pub(super) fn is_negative(self) -> bool {
         matches!(self, Self::Line { negative: true } | Self::Turned { negative: true })
     }
 }
 
 impl<T: Scalar, const N: usize> Rows<T, N> {
-    /// The reactions that the limits of a row read.
+    /// Reactions that the limits of a row read.
     pub(super) fn loads_of(&self, row: usize) -> impl Iterator<Item = usize> + '_ {
         let read = &self.read[below::<N>(row)];
         indices::<N>().filter(|load| read[*load])
     }
 
-    /// The first row whose limits read a reaction.
+    /// First row whose limits read a reaction.
     pub(super) fn reader(&self, load: usize) -> Option<usize> {
         let load = below::<N>(load);
         self.read.iter().position(|read| read[load])
     }
 
-    /// The components of a reaction.
+    /// Components of a reaction.
     pub(super) fn reaction_at(&self, load: usize, lambda: &[T; N]) -> [T; 2] {
         let [x, y] = &self.reaction[below::<N>(load)];
         [x.at(lambda), y.at(lambda)]
     }
 
-    /// The unit vectors e with |R| = e . R of the reactions that a row reads which is `asked`; of the others zero.
+    /// Unit vectors e with |R| = e . R of the reactions that a row with `asked` reads; zero for the others.
     pub(super) fn directions(&self, lambda: &[T; N], asked: impl Fn(usize) -> bool) -> [[T; 2]; N] {
         core::array::from_fn(|load| {
             let is_read = indices::<N>().any(|row| self.read[row][load] && asked(row));
@@ -81,7 +81,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         })
     }
 
-    /// The unit vector e with |R| = e . R.
+    /// Unit vector e with |R| = e . R; zero if there is no reaction.
     pub(super) fn direction(&self, load: usize, lambda: &[T; N]) -> [T; 2] {
         match self.load[below::<N>(load)] {
             Load::Nothing => [T::ZERO; 2],
@@ -101,7 +101,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         }
     }
 
-    /// |R|; negative where the sign that is held does not apply.
+    /// Size |R| of a reaction; negative if its sign is not that stored for the step.
     pub(super) fn size(&self, load: usize, lambda: &[T; N]) -> T {
         let kind = self.load[below::<N>(load)];
         if kind == Load::Nothing {
@@ -116,7 +116,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         x * along + y * across
     }
 
-    /// The size of the terms of a reaction.
+    /// Size of the terms of a reaction.
     pub(super) fn terms(&self, load: usize, lambda: &[T; N]) -> T {
         let of = |component: &Affine<T, N>| {
             let terms = component.by.iter().zip(lambda);
@@ -132,7 +132,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         self.loads_of(row).fold(limit.at(lambda), add)
     }
 
-    /// A limit with e . R in the place of each |R|: own part, and factors of the multipliers.
+    /// A limit with e . R in place of each |R|: own part, and factors of the multipliers.
     pub(super) fn along(&self, row: usize, limit: &Limit<T, N>, directions: &[[T; 2]; N]) -> Affine<T, N> {
         let mut found = Affine { own: limit.own, by: limit.by };
         for load in self.loads_of(row).map(below::<N>) {
@@ -145,7 +145,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         found
     }
 
-    /// With the limits and the reactions of a row for multipliers times `factor`.
+    /// The rows with the own parts of the limits and of the reactions of one row times `factor`, for multipliers times `factor`.
     pub(super) fn times(&self, row: usize, factor: T) -> Self {
         let (mut rows, row) = (*self, below::<N>(row));
         for friction in [&mut rows.kinetic[row], &mut rows.adhesion[row]] {

@@ -1,4 +1,4 @@
-//! Margins of the modes: numbers that are positive as long as a mode applies.
+//! Margins of the modes: numbers that are positive while a mode applies.
 
 use super::driven::leaves;
 use super::loads::Load;
@@ -7,24 +7,24 @@ use super::multipliers::{Multipliers, multipliers};
 use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
 
-/// Margins of each row. A friction that sticks has two, for the limits to both sides; the third one is for the sign of the reaction with the
-/// number of the row.
+/// Number of margins of each row. A friction that sticks has two, for the limits on both sides; the third one is for the sign of the
+/// reaction with the number of the row.
 pub const PER_ROW: usize = 3;
-/// The place of the last one among them.
+/// Index of the third margin.
 pub(super) const SIGN: usize = 2;
 
-/// A slip may take so much from the determinant since the modes were chosen: nearer to zero forces are rounding, where they have no bound.
+/// Least determinant, relative to that when the modes were chosen, that a slip may lead to: nearer to zero unbounded forces are rounding.
 pub(super) const UNIQUE: f64 = 1e-8;
-/// A friction without a force gets one where its bound, N or N m, is more than one part in so many.
+/// A friction without a force gets one if its bound, N or N m, exceeds the inverse of this number.
 const NO_BOUND: f64 = 1e12;
 
-/// The number of guards that `rows` contact rows have: three each, and the determinant of the active rows.
+/// Number of guards of `rows` contact rows: three each, and the determinant of the active rows.
 #[must_use]
 pub const fn guard_count(rows: usize) -> usize {
     PER_ROW * rows + 1
 }
 
-/// Gives each margin with its index; false if the multipliers are not unique in these modes, or not finite.
+/// Gives each margin with its index. Returns false if the multipliers in these modes are not unique, or not finite.
 pub(super) fn margins<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     (modes, orientation): (&Modes<impl Scalar, N>, T),
@@ -35,7 +35,7 @@ pub(super) fn margins<T: Scalar, const N: usize>(
     true
 }
 
-/// Gives each margin with its index, where these are the multipliers.
+/// Gives each margin with its index, for these multipliers.
 pub(super) fn each_margin<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     (modes, orientation): (&Modes<impl Scalar, N>, T),
@@ -65,7 +65,7 @@ pub(super) fn each_margin<T: Scalar, const N: usize>(
     each(PER_ROW * N, orientation * *determinant - T::lit(least));
 }
 
-/// The limits of a friction to both sides together, with the shares of reactions as they are; zero where none can have a force.
+/// Sum of the static limits of a friction on both sides, with the coefficients of reactions added; zero if none can have a force.
 fn bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; N]) -> T {
     let adhesion = &rows.adhesion[below::<N>(row)];
     let add = |limit: &Limit<T, N>| {
@@ -76,7 +76,7 @@ fn bound<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; 
     lower + upper
 }
 
-/// How far a row that sticks is from either limit.
+/// Distances of the force of a sticking row from its two limits.
 pub(super) fn stick<T: Scalar, const N: usize>(rows: &Rows<T, N>, row: usize, lambda: &[T; N]) -> [T; 2] {
     let row = below::<N>(row);
     let adhesion = &rows.adhesion[row];

@@ -1,13 +1,13 @@
-//! Friction and unilateral contact: set-valued laws, held over a step in modes and changed at events.
+//! Friction and unilateral contact: set-valued laws, in modes that are constant during a step and change at events.
 //!
-//! A unilateral row has a gap z >= 0 and a push lambda >= 0, one of which is zero. A friction row has a rate, and a force within limits
-//! against it. In given modes the rows that touch and stick are constraints, those that slip have known forces; so a step is smooth. At an
-//! event impacts are solved, and the next modes follow from all inequalities (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with
-//! Unilateral Contacts, 1996; V. Acary, B. Brogliato, Numerical Methods for Nonsmooth Dynamical Systems, 2008).
+//! A unilateral row has a gap z >= 0 and a contact force lambda >= 0, one of which is zero. A friction row has a rate, and a force within
+//! limits against it. In given modes the rows that touch and stick are constraints, and those that slip have known forces, so that a step
+//! is smooth. At an event impacts are solved, and the next modes follow from all inequalities (F. Pfeiffer, Ch. Glocker, Multibody
+//! Dynamics with Unilateral Contacts, 1996; V. Acary, B. Brogliato, Numerical Methods for Nonsmooth Dynamical Systems, 2008).
 //!
-//! A system has [`Contacts`], and its contracts call the functions of this module: [`rate`], [`guards`], [`guards_within`], [`switch`],
-//! [`switch_behind`], [`state_was_set`], [`update`], [`update_behind`], [`project`], [`drift`], [`begin`]. Steps of fixed length without
-//! events are made by [`step`].
+//! A system implements [`Contacts`], and its contracts call the functions of this module: [`rate`], [`guards`], [`guards_within`],
+//! [`switch`], [`switch_after`], [`state_was_set`], [`update`], [`update_after`], [`project`], [`drift`], [`begin`]. Steps of fixed length
+//! without events are made by [`step`].
 
 mod booked;
 mod bounds;
@@ -67,16 +67,16 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Health, Rate, System};
 use crate::vector::Vector;
 
-/// Free accelerations and those of contact forces balance within so many roundings.
+/// Roundings within which free accelerations and those of contact forces balance.
 const BALANCE_ULPS: f64 = 32.0;
 
 /// A system with `N` contact rows. Its discrete state has their [`Modes`].
 pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, N>> {
-    /// What a row says.
+    /// Law of a row.
     fn law(&self, row: usize) -> Law<Self::S>;
 
-    /// Gaps, rates, free accelerations, D and limits of all rows, in any numbers: time and state are given in them, and `constant` makes
-    /// one of a parameter or an input. Of the modes they read the signs of reactions alone.
+    /// Gaps, rates, free accelerations, D and limits of all rows, in any type of numbers: time and state are given in it, and `constant`
+    /// converts a parameter or an input. Of the modes the rows read only the signs of reactions.
     fn rows<T: Scalar>(
         &self,
         t: T,
@@ -85,19 +85,19 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         constant: &impl Fn(Self::S) -> T,
     ) -> Rows<T, N>;
 
-    /// Does a row exist? Where it does not, its gap is open, and its friction off.
+    /// True if a row exists. Otherwise its gap is open, and its friction off.
     fn exists(&self, u: &Self::U, row: usize) -> bool {
         let _ = (u, row);
         true
     }
 
-    /// Is a friction bounded by pushes alone, so that it is off without them?
+    /// True if only contact forces bound a friction, so that it is off without them.
     fn is_bounded_by_pushes(&self, row: usize) -> bool {
         let _ = row;
         false
     }
 
-    /// May the bound of a friction become negative by the state or the time? That is looked at within steps.
+    /// True if the bound of a friction may become negative with the state or the time. It is then checked within steps.
     fn bound_may_fall(&self, row: usize) -> bool {
         let _ = row;
         false
@@ -108,7 +108,7 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         self.rows(t, u, &|i| x.at(i), &|number| number)
     }
 
-    /// What is known without forces, as [`rows`](Self::rows) gives it.
+    /// Quantities of the rows that need no forces, as [`rows`](Self::rows) gives them.
     fn kinematics<T: Scalar>(
         &self,
         t: T,
@@ -119,13 +119,13 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         Kinematics::of(&self.rows(t, u, x, constant))
     }
 
-    /// The same in the numbers of the system.
+    /// Kinematics in the numbers of the system.
     fn kinematics_at(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Kinematics<Self::S, N> {
         Kinematics::of(&self.rows_at(t, u, x))
     }
 
-    /// Where every row that has a force slips, by row the size of a reaction along a line that bounds it, with the sign that is held;
-    /// nothing where [`rows`](Self::rows) are to say it.
+    /// Sizes of the reactions along a line that bound rows, by the index of the reaction and with the sign of the present modes, if every
+    /// row with a force slips. `None` if they have to come from [`rows`](Self::rows).
     fn sliding(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Option<[Self::S; N]> {
         let _ = (t, u, x);
         None
@@ -134,7 +134,7 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
     /// The rate of the state without contact forces.
     fn free_rate(&self, t: Self::S, u: &Self::U, x: &Self::X, dx: &mut Self::X) -> Health<Self::S>;
 
-    /// What contact forces add to the rate: M^-1 W^T lambda in the places of the velocities, zero elsewhere.
+    /// Change of the rate by contact forces: M^-1 W^T lambda in the places of the velocities, zero elsewhere.
     fn response(&self, t: Self::S, u: &Self::U, x: &Self::X, lambda: &[Self::S; N]) -> Self::X;
 
     /// Motion and rows at a state, for steps that need all of them.
@@ -146,7 +146,7 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         Motion { rate, responses, rows: self.rows_at(t, u, x), health }
     }
 
-    /// The rate with these multipliers, where it is not affine in them.
+    /// The rate with these multipliers, if it is not affine in them; otherwise `None`.
     fn rate_with_forces(
         &self,
         t: Self::S,
@@ -158,7 +158,7 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         None
     }
 
-    /// Do rows move by the time alone, or joints that they read? Else rates are zero where velocities are.
+    /// True if time alone moves rows, or joints that they read. Otherwise rates are zero where velocities are.
     fn moves_by_time(&self) -> bool {
         true
     }
@@ -168,12 +168,12 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         ImpactLaw::default()
     }
 
-    /// A length of the mechanism, m: tolerances of gaps are fractions of it.
+    /// A length of the mechanism, m; tolerances of gaps are fractions of it.
     fn length(&self) -> Self::S {
         Self::S::lit(1.0)
     }
 
-    /// Projects the state onto the constraints of the joints, where there are some.
+    /// Projects the state onto the constraints of the joints, if there are any.
     ///
     /// # Errors
     /// When the projection does not converge.
@@ -182,30 +182,31 @@ pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, 
         Ok(())
     }
 
-    /// How far the state is from the constraints of the joints.
+    /// Violation of the constraints of the joints.
     fn drift_of_joints(&self, t: Self::S, u: &Self::U, x: &Self::X) -> Drift<Self::S> {
         let _ = (t, u, x);
         Drift { phi: Self::S::ZERO, phi_dot: Self::S::ZERO }
     }
 }
 
-/// Do steps decide the modes, so that rows have no events? Near singular poses, which steps leave to another method, they have.
+/// True if steps decide the modes, so that rows have no events. Near singular poses, which steps leave to another method, rows have
+/// events.
 fn change_in_steps<M: Contacts<N>, const N: usize>(system: &M, u: &M::U) -> bool {
     u.modes().change == Change::InSteps && system.is_regular(u)
 }
 
-/// The multipliers at a state in the modes held: pushes and frictions, N or N m. Not a number where they are not unique.
+/// Multipliers at a state in the present modes: contact forces and frictions, N or N m. NaN if they are not unique.
 pub fn reactions<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> [M::S; N] {
     lambda_of(&system.rows_at(t, u, x), u.modes())
 }
 
-/// The multipliers in the modes held; not a number where they are not unique.
+/// Multipliers in the present modes; NaN if they are not unique.
 fn lambda_of<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, N>) -> [T; N] {
     let found = multipliers::multipliers_of_rate(rows, &modes.of);
     found.map_or([T::lit(f64::NAN); N], |found| found.lambda)
 }
 
-/// The rate with the contact forces of the modes held, for [`Rate::rate`].
+/// The rate with the contact forces of the present modes, for [`Rate::rate`].
 pub fn rate<M: Contacts<N>, const N: usize>(
     system: &M,
     t: M::S,
@@ -221,14 +222,13 @@ pub fn rate<M: Contacts<N>, const N: usize>(
     health
 }
 
-/// The discrete state with the multipliers of a moment, in the modes held: a generated rate computes with it. They are not
-/// numbers where they are not unique.
+/// The discrete state with the multipliers in the present modes, as a generated rate needs it. They are NaN if they are not unique.
 #[must_use]
 pub fn with_multipliers<T: Scalar, const N: usize>(rows: &Rows<T, N>, held: &Held<T, N>) -> Held<T, N> {
     Held { lambda: without_noise(rows, &held.modes), ..*held }
 }
 
-/// The multipliers, without those that are rounding of the others: lambda_i sqrt(D_ii) has the same unit in every row.
+/// The multipliers, with those set to zero that are rounding of the others: lambda_i sqrt(D_ii) has one unit in all rows.
 fn without_noise<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, N>) -> [T; N] {
     // Forces of rows that slip follow from their limits.
     if !modes.hold() {
@@ -238,12 +238,12 @@ fn without_noise<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, 
     let sizes: [T; N] = Vector::from_fn(|i| lambda[i].abs() * rows.delassus[i][i].sqrt());
     let largest = sizes.iter().fold(T::ZERO, |largest, size| largest.max(*size));
     let least = T::lit(BALANCE_ULPS * T::PRECISION) * largest;
-    // One that is not a number stays so.
+    // NaN stays NaN.
     Vector::from_fn(|i| T::select(sizes[i].lt(least), lambda[i].as_zero(), lambda[i]))
 }
 
-/// Adds the forces of contact to the rate without them, for a generated mechanism: `responses` has what each multiplier of one adds to
-/// it. Accelerations that are rounding are taken out of it, so that what is held stays where it is.
+/// Adds the contact forces to the rate without them, for a generated mechanism: `responses` has the change of the rate by each unit
+/// multiplier. Accelerations that are rounding are set to zero, so that constraint rows stay where they are.
 pub fn add_forces<T: Scalar, X: Vector<T>, const N: usize>(
     dx: &mut X,
     rows: &Rows<T, N>,
@@ -257,7 +257,7 @@ pub fn add_forces<T: Scalar, X: Vector<T>, const N: usize>(
     }
 }
 
-/// The response to these multipliers.
+/// Response to these multipliers.
 pub fn sum_of<T: Scalar, X: Vector<T>, const N: usize>(responses: &[X; N], lambda: &[T; N]) -> X {
     X::from_fn(|i| {
         let terms = responses.iter().zip(lambda);
@@ -265,8 +265,8 @@ pub fn sum_of<T: Scalar, X: Vector<T>, const N: usize>(responses: &[X; N], lambd
     })
 }
 
-/// Takes accelerations that are rounding out of a rate that a generated mechanism has computed with these multipliers, so that what
-/// is held stays where it is. `response` gives what multipliers add to the rate.
+/// Sets accelerations to zero that are rounding in a rate which a generated mechanism has computed with these multipliers, so that
+/// constraint rows stay where they are. `response` gives the change of the rate by multipliers.
 pub fn settle<T: Scalar, X: Vector<T>, const N: usize>(
     dx: &mut X,
     held: &Held<T, N>,
@@ -277,8 +277,8 @@ pub fn settle<T: Scalar, X: Vector<T>, const N: usize>(
     }
 }
 
-/// Takes accelerations out of a rate that are rounding of what contact forces add to it. Forces may balance each other, so that
-/// their sum says nothing of their size; a sum with weights does.
+/// Sets accelerations to zero that are rounding of the part which contact forces add. Forces may balance each other, so that their sum
+/// does not tell their size; a sum with weights does.
 fn balance<T: Scalar, X: Vector<T>, const N: usize>(
     dx: &mut X,
     lambda: &[T; N],
@@ -294,7 +294,7 @@ fn apart(number: usize) -> f64 {
     multiple - f64::from(multiple as u32)
 }
 
-/// An acceleration; zero where it is rounding of contact forces of a size.
+/// An acceleration; zero if it is rounding of contact forces of this size.
 fn balanced<T: Scalar>(sum: T, size: T) -> T {
     let none = T::lit(BALANCE_ULPS * T::PRECISION) * size;
     T::select(sum.abs().lt(none), sum.as_zero(), sum)

@@ -1,23 +1,23 @@
-//! Modes of contact rows, held over a step.
+//! Modes of contact rows, constant during a step.
 
 use core::fmt;
 
 use crate::scalar::{Real, Scalar};
 
-/// What a row does.
+/// Mode of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// A gap is open, or closed by other rows alone: no push.
+    /// A gap that is open, or kept closed by other rows alone: no contact force.
     Open,
-    /// A gap is closed.
+    /// A gap that is closed: a constraint.
     Closed,
-    /// A friction has no normal force.
+    /// A friction without normal force.
     Off,
-    /// A friction holds.
+    /// A friction that sticks: a constraint.
     Sticks,
-    /// It slips, with a positive rate.
+    /// A friction that slips with a positive rate.
     Forwards,
-    /// It slips, with a negative rate.
+    /// A friction that slips with a negative rate.
     Backwards,
 }
 
@@ -35,12 +35,12 @@ impl fmt::Display for Mode {
 }
 
 impl Mode {
-    /// The row is a constraint.
+    /// True if the row is a constraint.
     pub fn holds(self) -> bool {
         matches!(self, Self::Closed | Self::Sticks)
     }
 
-    /// The friction slips.
+    /// True if the friction slips.
     pub fn slips(self) -> bool {
         matches!(self, Self::Forwards | Self::Backwards)
     }
@@ -49,7 +49,7 @@ impl Mode {
     pub const ALL: [Self; 6] =
         [Self::Open, Self::Closed, Self::Off, Self::Sticks, Self::Forwards, Self::Backwards];
 
-    /// Its number, in saved runs and in other languages.
+    /// Number of the mode in saved runs and in other languages.
     pub fn number(self) -> u64 {
         match self {
             Self::Open => 0,
@@ -73,7 +73,7 @@ impl Mode {
         }
     }
 
-    /// The mode of a friction that slips with this rate; none where it does not.
+    /// The mode of a friction that slips with this rate; `None` if it does not slip.
     pub(super) fn of_slip<S: Real>(rate: S) -> Option<Self> {
         if rate > S::ZERO {
             Some(Self::Forwards)
@@ -84,7 +84,7 @@ impl Mode {
         }
     }
 
-    /// -1 or 1, the sign of the slip; zero where there is none.
+    /// Sign of the slip, -1 or 1; zero if there is none.
     pub(super) fn sign<T: Scalar>(self) -> T {
         T::lit(match self {
             Self::Forwards => 1.0,
@@ -94,38 +94,40 @@ impl Mode {
     }
 }
 
-/// When the modes of rows change.
+/// Times at which modes change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Change {
-    /// At events, which are located: a step has one mode.
+    /// At events, which are located: the modes are constant during a step.
     #[default]
     AtEvents,
-    /// In every step, by a method that steps over them.
+    /// In every step, by a method that does not locate events.
     InSteps,
-    /// Where the state is set: frictions that stick hold nothing until then, and the velocities decide what slips
-    /// ([`state_was_set`](super::state_was_set)). It is for a state that is placed by a motion, not for a run.
+    /// When the caller sets the state: frictions that stick constrain nothing until then, and the velocities
+    /// decide which of them slip ([`state_was_set`](super::state_was_set)). It is for a state that a motion
+    /// determines, not for a run.
     WhereSet,
 }
 
-/// The modes of all rows, and what they remember.
+/// Modes of all rows, and the data stored with them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Modes<S, const N: usize> {
     /// The mode of each row.
     pub of: [Mode; N],
-    /// The row rests without being a constraint, since others hold it: more rows rest than there are freedoms.
+    /// True for a row that is at rest without being a constraint, since other rows carry it: more rows are at
+    /// rest than there are degrees of freedom.
     pub carried: [bool; N],
-    /// Where a friction sticks: its displacement, m or rad.
+    /// Displacement at which a friction sticks, m or rad.
     pub place: [S; N],
-    /// One over the determinant of the active rows when the modes were chosen.
+    /// Inverse of the determinant of the active rows when the modes were chosen.
     pub orientation: S,
-    /// By reaction that bounds frictions: it is negative.
+    /// By reaction that bounds frictions: true if it is negative.
     pub negative: [bool; N],
-    /// When they change.
+    /// Times at which they change.
     pub change: Change,
 }
 
 impl<S: Scalar, const N: usize> Modes<S, N> {
-    /// Everything is open.
+    /// Modes with all gaps open.
     #[must_use]
     pub fn open() -> Self {
         Self {
@@ -138,27 +140,28 @@ impl<S: Scalar, const N: usize> Modes<S, N> {
         }
     }
 
-    /// Some row holds.
+    /// True if some row is a constraint.
     pub(super) fn hold(&self) -> bool {
         self.of.iter().any(|mode| mode.holds())
     }
 
-    /// The gap `row` is open: it neither pushes nor rests.
+    /// True if the gap `row` is open: it has no contact force and is not kept closed.
     pub fn is_open(&self, row: usize) -> bool {
         self.of.get(row) == Some(&Mode::Open) && !self.is_carried(row)
     }
 
-    /// The friction `row` does not slip.
+    /// True if the friction `row` sticks, or if other rows carry it.
     pub fn is_sticking(&self, row: usize) -> bool {
         self.of.get(row) == Some(&Mode::Sticks) || self.is_carried(row)
     }
 
-    /// Other rows hold the row.
+    /// True if other rows carry the row.
     pub fn is_carried(&self, row: usize) -> bool {
         self.carried.get(row) == Some(&true)
     }
 
-    /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
+    /// True if more rows are at rest than there are degrees of freedom: accelerations are unique, multipliers are
+    /// not.
     pub fn are_undetermined(&self) -> bool {
         self.carried.contains(&true)
     }

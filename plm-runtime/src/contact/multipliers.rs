@@ -1,9 +1,9 @@
 //! Multipliers of the contact rows in given modes: one small linear system.
 //!
-//! Rows that hold have no acceleration, D_i lambda = -c_i; rows that slip have the limit of their friction,
+//! Constraint rows have no acceleration, D_i lambda = -c_i; slipping rows have the limit of their friction,
 //! lambda_i = -sigma (own + by . lambda). The system is not symmetric; it is solved with partial pivoting (G. H. Golub, C. F. Van Loan,
-//! Matrix Computations, 4th ed., algorithm 3.4.1). Pivots are chosen by values, so that numbers with derivatives, and
-//! enclosures, are eliminated in the order of the values. Limits that are shares of a reaction in the plane take Newton's steps.
+//! Matrix Computations, 4th ed., algorithm 3.4.1). Pivots are chosen by values, so that numbers with derivatives, and enclosures, are
+//! eliminated in the order of the values. Limits that are shares of a reaction in the plane need Newton's method.
 
 use super::loads::Load;
 use super::modes::Mode;
@@ -11,29 +11,29 @@ use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
 use crate::vector::Vector;
 
-/// A pivot below this fraction of the largest entry of its row depends on others.
+/// A row depends on others if its pivot is below this fraction of its largest entry.
 const DEPENDENT: f64 = 1e-10;
-/// Steps of Newton's method at most; from a cold start it takes three or four.
+/// Most steps of Newton's method; from a cold start it takes three or four.
 const MOST_STEPS: u32 = 12;
-/// Multipliers by unit vectors that are off by less are at their solution, since the error of a size is of second order in that of its
-/// unit vector. Derivatives are so a few steps later.
+/// Change of the unit vectors below which multipliers have converged, since the error of a size is of second order in that of its unit
+/// vector. Derivatives converge a few steps later.
 const NEAR: f64 = 1e-8;
-/// Steps after that.
+/// Newton steps after that, for derivatives.
 const BEHIND: u32 = 2;
-/// Sweeps before Newton's steps: with a friction of a hundredth of what would lock a joint one step is left.
+/// Sweeps before the Newton steps: with a friction of a hundredth of that which would lock a joint, one Newton step is left.
 const SWEEPS: u32 = 4;
-/// Roundings of the largest force by which sweeps may go on changing them.
+/// Change of the forces, in roundings of the largest one, at which sweeps end.
 const ROUNDED: f64 = 2.0;
-/// A sweep is to change them by this fraction of the one before.
+/// Largest ratio of the changes of two successive sweeps.
 const SWEPT: f64 = 0.5;
 /// A diagonal entry of at least this fraction of the largest entry of its row is a pivot without a search for a larger one.
 const PIVOT: f64 = 0.5;
 
-/// The multipliers, and the determinant of their system; that of no row is 1.
+/// Multipliers, and the determinant of their system; that of no row is 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Multipliers<T, const N: usize> {
     pub(super) lambda: [T; N],
-    /// With the rows that hold divided by the diagonal entries of D.
+    /// Determinant of the system with its constraint rows divided by the diagonal entries of D.
     pub(super) determinant: T,
     /// Steps of Newton's method after the first solution.
     pub(super) newton: u32,
@@ -43,12 +43,12 @@ pub(super) struct Multipliers<T, const N: usize> {
 struct System<T, const N: usize> {
     rows: [[T; N]; N],
     right: [T; N],
-    /// The row of contact that each unknown is of.
+    /// Contact row of each unknown.
     unknown: [usize; N],
     order: usize,
 }
 
-/// The multipliers in these modes; none where active rows depend on each other.
+/// Multipliers in these modes; `None` if active rows depend on each other.
 pub(super) fn multipliers<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &[Mode; N],
@@ -56,7 +56,7 @@ pub(super) fn multipliers<T: Scalar, const N: usize>(
     multipliers_above(rows, modes, DEPENDENT)
 }
 
-/// The same for a rate. Where a slip takes the determinant to zero they are large, and numbers: a guard ends the step there.
+/// Multipliers for a rate. If a slip takes the determinant to zero they are large, but numbers: a guard ends the step there.
 pub(super) fn multipliers_of_rate<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &[Mode; N],
@@ -65,7 +65,7 @@ pub(super) fn multipliers_of_rate<T: Scalar, const N: usize>(
     multipliers_above(rows, modes, if slips { 0.0 } else { DEPENDENT })
 }
 
-/// The same where every pivot is above the fraction `least`.
+/// Multipliers, if every pivot is above the fraction `least` of its row.
 fn multipliers_above<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &[Mode; N],
@@ -95,7 +95,7 @@ fn multipliers_above<T: Scalar, const N: usize>(
     None
 }
 
-/// The multipliers where reactions that bound rows which slip have these unit vectors.
+/// Multipliers with these unit vectors of the reactions that bound slipping rows.
 pub(super) fn multipliers_along<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &[Mode; N],
@@ -107,18 +107,19 @@ pub(super) fn multipliers_along<T: Scalar, const N: usize>(
     Some(Multipliers { lambda: system.substitute(), determinant, newton: 0 })
 }
 
-/// Multipliers that Newton's steps begin with: those of rows that slip by sweeps of C. F. Gauss and L. Seidel, which cost a fraction of a
+/// Multipliers at which Newton's method begins: those of slipping rows by sweeps of C. F. Gauss and L. Seidel, which cost a fraction of a
 /// step. A friction changes the reactions that bound it little.
 fn first<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N]) -> [T; N] {
     swept(rows, modes, SWEEPS).unwrap_or([T::ZERO; N])
 }
 
-/// Forces of rows where all that have some slip, by sweeps until nothing changes but by rounding; none where that takes long.
+/// Forces of rows if every row with a force slips, by sweeps until only rounding changes; `None` if sweeps do not apply or converge
+/// slowly.
 pub(super) fn sliding<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N]) -> Option<[T; N]> {
     swept(rows, modes, u32::MAX)
 }
 
-/// So many sweeps, or fewer if nothing changes any more; none where they do not converge.
+/// Forces after so many sweeps, or fewer if nothing changes any more; `None` if sweeps do not apply or do not converge.
 fn swept<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N], sweeps: u32) -> Option<[T; N]> {
     if T::HAS_DERIVATIVES || !rows.load.contains(&Load::Plane) {
         return None;
@@ -137,7 +138,7 @@ fn swept<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N], sweeps
         if change <= ROUNDED * T::PRECISION * size {
             break;
         }
-        // They do not converge where frictions lock each other. False for what is not a number.
+        // Sweeps do not converge if frictions lock each other. False for NaN.
         let converges = change <= SWEPT * before;
         if !converges {
             return None;
@@ -147,7 +148,7 @@ fn swept<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N], sweeps
     Some(lambda)
 }
 
-/// The limit of a row that slips.
+/// Limit of a row that slips.
 fn slip_limit<T, const N: usize>(rows: &Rows<T, N>, mode: Mode, row: usize) -> Option<&Limit<T, N>> {
     let kinetic = &rows.kinetic[below::<N>(row)];
     match mode {
@@ -157,7 +158,7 @@ fn slip_limit<T, const N: usize>(rows: &Rows<T, N>, mode: Mode, row: usize) -> O
     }
 }
 
-/// The unit vectors of the reactions that bound rows which slip.
+/// Unit vectors of the reactions that bound slipping rows.
 fn directions<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &[Mode; N],
@@ -187,8 +188,8 @@ impl<T: Scalar, const N: usize> System<T, N> {
         system
     }
 
-    /// Gaussian elimination; gives the determinant. None where a pivot is not above the fraction `least` of its row. Where all rows
-    /// `slide` they hardly depend on each other.
+    /// Gaussian elimination; returns the determinant, or `None` if a pivot is not above the fraction `least` of its row. If all rows
+    /// `slide` they hardly depend on each other, so that a large diagonal entry is a pivot without a search.
     fn eliminate(&mut self, (slide, least): (bool, f64)) -> Option<T> {
         let order = self.order.min(N);
         let mut determinant = T::lit(1.0);
@@ -199,7 +200,7 @@ impl<T: Scalar, const N: usize> System<T, N> {
         }
         for k in 0..order {
             let mut pivot = k;
-            // False for what is not a number.
+            // False for NaN.
             let is_large = slide && self.rows[k][k].to_f64().abs() >= PIVOT * sizes[k] && sizes[k] > 0.0;
             if !is_large {
                 let mut largest = ratio(self.rows[k][k], sizes[k]);
@@ -237,7 +238,7 @@ impl<T: Scalar, const N: usize> System<T, N> {
         Some(determinant)
     }
 
-    /// The multipliers of all rows of contact after the elimination.
+    /// Multipliers of all contact rows after the elimination.
     fn substitute(&self) -> [T; N] {
         let (mut solution, mut lambda) = ([T::ZERO; N], [T::ZERO; N]);
         let order = self.order.min(N);
@@ -253,12 +254,12 @@ impl<T: Scalar, const N: usize> System<T, N> {
     }
 }
 
-/// The size of an entry beside the largest one of its row.
+/// Size of an entry relative to the largest one of its row.
 fn ratio<T: Scalar>(entry: T, size: f64) -> f64 {
     entry.to_f64().abs() / size
 }
 
-/// The equation of the row `i`, and its right side. Rows that hold are divided by their diagonal entry.
+/// Equation of the row `i`, and its right side. Constraint rows are divided by their diagonal entry.
 #[inline]
 pub(super) fn equation<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,

@@ -7,28 +7,30 @@ use crate::scalar::Scalar;
 /// Outcome of an event: counts of what changed, and doubts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
-    /// Impacts.
+    /// Number of impacts.
     pub impacts: u32,
-    /// Gaps that were open before and are closed from now on. These four are none where a run begins.
+    /// Gaps that were open before and are closed from now on. This count and the next three are zero at the
+    /// start of a run.
     pub closures: u32,
     /// Gaps that were closed before and are open from now on.
     pub openings: u32,
     /// Frictions that stick from now on.
     pub sticks: u32,
-    /// Frictions that slip from now on, or the other way.
+    /// Frictions that slip from now on, or reverse their slip.
     pub slips: u32,
     /// Steps of Newton's method for reactions in the plane.
     pub newton: u32,
-    /// The rows may go on with other accelerations as well.
+    /// True if other accelerations of the rows satisfy all laws as well.
     pub is_ambiguous: bool,
-    /// What the laws of its impacts leave open.
+    /// Ambiguities of its impacts.
     pub doubts: Doubts,
-    /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
+    /// True if more rows are at rest than there are degrees of freedom: accelerations are unique, multipliers
+    /// are not.
     pub is_undetermined: bool,
 }
 
 impl Outcome {
-    /// Counts the rows that do something else than before.
+    /// Counts the rows whose modes differ.
     pub(super) fn compare<S: Scalar, const N: usize>(&mut self, before: &Modes<S, N>, after: &Modes<S, N>) {
         let sticks = |modes: &Modes<S, N>, i: usize| modes.is_sticking(i);
         for i in 0..N {

@@ -1,9 +1,9 @@
-//! Painlevé's paradox: where a slip takes the uniqueness of accelerations away.
+//! Painlevé's paradox: slips at which accelerations are no longer unique.
 //!
-//! A sliding contact has the normal acceleration c_n + p D_nn lambda_n, with p = 1 - sigma mu D_nt/D_nn. At p = 0 no push changes it;
-//! beyond, sliding and lifting off satisfy all laws at once, or none does (F. Génot, B. Brogliato, New results on Painlevé paradoxes,
-//! European Journal of Mechanics A 18, 1999). With several contacts p is the determinant of all active rows over that of the rows
-//! that hold.
+//! A sliding contact has the normal acceleration c_n + p D_nn lambda_n, with p = 1 - sigma mu D_nt/D_nn. At p = 0 no contact force
+//! changes it; beyond, sliding and lifting off satisfy all laws at once, or neither does (F. Génot, B. Brogliato, New results on
+//! Painlevé paradoxes, European Journal of Mechanics A 18, 1999). With several contacts p is the determinant of all active rows over
+//! that of the constraint rows.
 
 use super::margins::UNIQUE;
 use super::modes::{Mode, Modes};
@@ -11,8 +11,8 @@ use super::multipliers::{Multipliers, equation, multipliers};
 use super::rows::{Rows, below, indices};
 use crate::scalar::Real;
 
-/// The row that has no unique force where the determinant of the active rows has come to zero, and p there; none where it has not, or
-/// not because of a slip: rows that hold may depend on each other too.
+/// The row without a unique force, and p, if the determinant of the active rows has come to zero. `None` if it has not, or not
+/// because of a slip: constraint rows may depend on each other too.
 pub(super) fn lost<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &Modes<S, N>) -> Option<(usize, S)> {
     let (of, orientation) = (&modes.of, modes.orientation);
     let is_there = |all: Multipliers<S, N>| orientation * all.determinant >= S::lit(UNIQUE);
@@ -25,14 +25,14 @@ pub(super) fn lost<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &Modes<S, 
     Some((row, p))
 }
 
-/// p of all rows; zero where multipliers are not unique, none where those of the rows that hold alone are not.
+/// The ratio p of all rows; zero if multipliers are not unique, `None` if those of the constraint rows alone are not.
 pub(super) fn share<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N]) -> Option<S> {
     let only_held = modes.map(|mode| if mode.holds() { mode } else { Mode::Open });
     let held = multipliers(rows, &only_held)?.determinant;
     Some(multipliers(rows, modes).map_or(S::ZERO, |all| all.determinant / held))
 }
 
-/// p of one row beside the slips alone.
+/// The ratio p of one row with the slips as the only other rows.
 fn own_share<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], row: usize) -> Option<S> {
     let (one, row) = (S::lit(1.0), below::<N>(row));
     let slips = |k: &usize| modes[*k].slips();

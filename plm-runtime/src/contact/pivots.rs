@@ -1,11 +1,11 @@
-//! Modes of many rows, where their combinations are too many: Lemke's method.
+//! Modes of many rows, if there are too many combinations to enumerate: Lemke's method.
 //!
-//! The laws are a problem of complementarity, w = M z + q >= 0, z >= 0, w.z = 0. A gap has the pair (acceleration, push); a friction has
-//! two: with the bounds l and u and a = a+ - a-, the pairs (a+, lambda + l) and (a-, u - lambda). The method goes from z = 0 along
-//! w = M z + q + d s, s falling from so large a value that all is well to zero, by exchange of one variable at a time (C. E. Lemke,
-//! Management Science 11, 1965). Ties are decided lexicographically, which excludes cycles (R. W. Cottle, J.-S. Pang, R. E. Stone,
-//! The Linear Complementarity Problem, 1992, section 4.4; F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996,
-//! chapter 6). What is found is one solution, where there is one; whether there are others is not known.
+//! The laws are a linear complementarity problem, w = M z + q >= 0, z >= 0, w.z = 0. A gap has the pair (acceleration, contact force); a
+//! friction has two: with the bounds l and u and a = a+ - a-, the pairs (a+, lambda + l) and (a-, u - lambda). The method starts at
+//! z = 0 and follows w = M z + q + d s, while s falls to zero from a value at which all inequalities are satisfied, by exchange of one
+//! variable at a time (C. E. Lemke, Management Science 11, 1965). Ties are decided lexicographically, which excludes cycles
+//! (R. W. Cottle, J.-S. Pang, R. E. Stone, The Linear Complementarity Problem, 1992, section 4.4; F. Pfeiffer, Ch. Glocker, Multibody
+//! Dynamics with Unilateral Contacts, 1996, chapter 6). The result is one solution, if there is one; others may exist.
 
 use super::apart;
 use super::candidates::Allowed;
@@ -15,14 +15,14 @@ use super::rows::{Rows, below, indices};
 use crate::linalg::Lu;
 use crate::scalar::Real;
 
-/// Numbers that differ by less, beside the largest one, are equal; a pivot is larger.
+/// Difference, relative to the largest number, below which numbers are equal; pivots are larger.
 const EQUAL: f64 = 1e-11;
-/// Exchanges, for each pair.
+/// Most exchanges for each pair.
 const MOST_EXCHANGES: usize = 20;
-/// How often the directions of reactions in the plane are corrected.
+/// Most corrections of the directions of reactions in the plane.
 const MOST_DIRECTIONS: u32 = 4;
 
-/// The modes that the method finds; none if it ends without. Another `attempt` goes another way: by another d.
+/// The modes that the method finds; `None` if it ends without a solution. Each `attempt` has another d, and so another path.
 pub(super) fn pivoted<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
@@ -42,19 +42,19 @@ pub(super) fn pivoted<S: Real, const N: usize>(
     modes
 }
 
-/// What all forces are by those of the pairs: `lambda = sum of z by column + constant`.
+/// Forces as functions of the force variables of the pairs: `lambda = sum of z by column + constant`.
 struct Problem<'a, S, const N: usize> {
     rows: &'a Rows<S, N>,
     columns: [[S; N]; N],
     constant: [S; N],
     /// Upper bounds of frictions.
     upper: [Affine<S, N>; N],
-    /// Forces times these have one unit in all rows.
+    /// Factors that give forces one unit in all rows.
     scale: [S; N],
 }
 
 impl<'a, S: Real, const N: usize> Problem<'a, S, N> {
-    /// `forces` are those of the last solution: bounds by a reaction in the plane have its direction there.
+    /// Problem with the directions of reactions in the plane at `forces`, those of the last solution.
     fn new(rows: &'a Rows<S, N>, allowed: &[Allowed; N], forces: &[S; N]) -> Option<Self> {
         let (one, zero) = (S::lit(1.0), S::ZERO);
         let mut matrix: [[S; N]; N] =
@@ -90,7 +90,7 @@ impl<'a, S: Real, const N: usize> Problem<'a, S, N> {
         Some(Self { rows, columns, constant, upper, scale })
     }
 
-    /// The forces of a solution.
+    /// Forces of a solution.
     fn forces(&self, tableau: &Tableau<S, N>) -> [S; N] {
         let mut forces = self.constant;
         for j in 0..N {
@@ -111,17 +111,17 @@ enum Variable {
 }
 
 impl Variable {
-    /// z.
+    /// Variable z.
     fn force(row: usize, pair: usize) -> Self {
         Self::Of { row, pair, is_force: true }
     }
 
-    /// w.
+    /// Variable w.
     fn rate(row: usize, pair: usize) -> Self {
         Self::Of { row, pair, is_force: false }
     }
 
-    /// The other one of its pair.
+    /// The other variable of its pair.
     fn complement(self) -> Self {
         match self {
             Self::Cover => Self::Cover,
@@ -130,18 +130,18 @@ impl Variable {
     }
 }
 
-/// A basic variable by those that are zero: `right + by . variables + cover times the last of them`.
+/// A basic variable as a function of those that are zero: `right + by . variables + cover times the last of them`.
 #[derive(Clone, Copy)]
 struct Line<S, const N: usize> {
     basic: Variable,
     by: [[S; 2]; N],
     cover: S,
     right: S,
-    /// Rows that rest have a pair, frictions two.
+    /// True if the pair exists: rows that can rest have one, frictions two.
     is_there: bool,
 }
 
-/// All of them.
+/// All basic variables, and the variables that are zero.
 struct Tableau<S, const N: usize> {
     lines: [[Line<S, N>; 2]; N],
     /// The variables that are zero, by their columns.
@@ -149,7 +149,7 @@ struct Tableau<S, const N: usize> {
     last: Variable,
 }
 
-/// The place of a column.
+/// Index of a column.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Column {
     Of(usize, usize),
@@ -214,7 +214,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         }
     }
 
-    /// Exchanges variables until s is zero; none if there is no end, or a ray without one.
+    /// Exchanges variables until s is zero; `None` if that does not end, or ends on a ray.
     fn solve(&mut self) -> Option<()> {
         let size = self.lines().fold(S::ZERO, |size, line| size.max(line.right.abs()));
         let none = S::lit(EQUAL) * size;
@@ -223,7 +223,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         }
         let lowest = self.places().reduce(|least, next| {
             let of = |place| self.line(place).right / self.line(place).cover;
-            // Of those that are equal the last one: lexicographically it is the least.
+            // Among equal ones the last is the least lexicographically.
             if of(next) <= of(least) + none { next } else { least }
         })?;
         let mut entering = self.exchange(lowest, Column::Last).complement();
@@ -258,7 +258,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         })
     }
 
-    /// Is a line over its slope less than another one, lexicographically by what small changes of q do to it?
+    /// True if a line over its slope is lexicographically less than another one, by the effect of small changes of q.
     fn is_less(&self, one: &Line<S, N>, slope: S, than: &Line<S, N>, other: S) -> bool {
         for (row, pair) in self.places() {
             let rate = Variable::rate(row, pair);
@@ -276,7 +276,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         false
     }
 
-    /// The basic variable of a line and the zero one of a column change their places; gives the one that was basic.
+    /// Exchanges the basic variable of a line with the zero variable of a column; returns the one that was basic.
     fn exchange(&mut self, (i, pair): (usize, usize), column: Column) -> Variable {
         let (one, i, pair) = (S::lit(1.0), below::<N>(i), below::<2>(pair));
         let mut line = self.lines[i][pair];
@@ -308,7 +308,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         left
     }
 
-    /// The modes of a solution.
+    /// Modes of a solution.
     fn modes(&self, allowed: &[Allowed; N]) -> [Mode; N] {
         let is_basic = |variable: Variable| self.lines().any(|line| line.basic == variable);
         core::array::from_fn(|i| match allowed[i] {
@@ -327,7 +327,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         })
     }
 
-    /// The value of a variable.
+    /// Value of a variable.
     fn value(&self, variable: Variable) -> S {
         self.lines().find(|line| line.basic == variable).map_or(S::ZERO, |line| line.right)
     }
@@ -340,12 +340,12 @@ impl<S: Real, const N: usize> Tableau<S, N> {
         &self.lines[below::<N>(row)][below::<2>(pair)]
     }
 
-    /// The places of the pairs.
+    /// Indices of the pairs that exist.
     fn places(&self) -> impl Iterator<Item = (usize, usize)> {
         (0..2 * N).map(|k| (k / 2, k % 2)).filter(|place| self.line(*place).is_there)
     }
 
-    /// The column of a variable that is zero.
+    /// Column of a variable that is zero.
     fn column(&self, variable: Variable) -> Option<Column> {
         if self.last == variable {
             return Some(Column::Last);

@@ -1,4 +1,4 @@
-//! Rows that hold, at position and velocity level: a friction that sticks stays in its place.
+//! Projection onto constraint rows, for positions and velocities; a friction that sticks stays in its place.
 
 use super::modes::{Change, Mode};
 use super::multipliers::{Multipliers, multipliers};
@@ -9,13 +9,13 @@ use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
 use crate::vector::Vector;
 
-/// Newton's steps for positions.
+/// Most Newton steps for positions.
 const MOST_STEPS: u32 = 4;
-/// Drift of the joints that a step may leave, as a fraction of the typical coordinate and velocity; of what the scalar can resolve, if
-/// that is more.
+/// Drift of the joints that a step may leave, as a fraction of the typical coordinate and velocity; at least the resolution of the
+/// scalar.
 const DRIFT: f64 = 1e-10;
 
-/// Takes the rates of rows that hold out of the velocities; `rows` are those of the state.
+/// Removes the rates of constraint rows from the velocities; `rows` are those of the state.
 pub(super) fn stop<M: Contacts<N>, const N: usize>(
     system: &M,
     (t, u, rows): (M::S, &M::U, &Rows<M::S, N>),
@@ -26,8 +26,8 @@ pub(super) fn stop<M: Contacts<N>, const N: usize>(
     }
 }
 
-/// Takes the rates of rows that hold out of the velocities after an event, by impulses that have their share of friction: such a rate is
-/// that of flights which are not followed, and what slides meanwhile rubs by their pushes. `rows` are those of the state.
+/// Removes the rates of constraint rows from the velocities after an event, by impulses with their share of friction: such a rate comes
+/// from flights that are ignored, under whose contact forces slipping rows have friction. `rows` are those of the state.
 pub(super) fn end_flights<M: Contacts<N>, const N: usize>(
     system: &M,
     (t, u, rows): (M::S, &M::U, &Rows<M::S, N>),
@@ -49,7 +49,7 @@ pub(super) fn end_flights<M: Contacts<N>, const N: usize>(
     }
 }
 
-/// The rates of the rows where the gaps that rest have none; those that they have where these gaps depend on each other.
+/// Rates of the rows after the gaps at rest have lost theirs; the present rates if these gaps depend on each other.
 pub(super) fn after_flights<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     rests: impl Fn(usize) -> bool,
@@ -60,7 +60,7 @@ pub(super) fn after_flights<S: Real, const N: usize>(
     core::array::from_fn(|i| left.acceleration(i, &taken))
 }
 
-/// Projects the joints, leads rows that hold back to their places, and takes their rates out of the velocities.
+/// Projects the joints, returns constraint rows to their places, and removes their rates from the velocities.
 ///
 /// # Errors
 /// Those of [`Contacts::project_joints`].
@@ -93,7 +93,7 @@ pub fn project<M: Contacts<N>, const N: usize>(
     }
 }
 
-/// Projects the joints after a step that has led rows back itself, where they drifted.
+/// Projects the joints if they have drifted, after a step that has returned the constraint rows itself.
 ///
 /// # Errors
 /// Those of [`Contacts::project_joints`].
@@ -106,12 +106,12 @@ pub(super) fn joints_after_step<M: Contacts<N>, const N: usize>(
     let drift = system.drift_of_joints(t, u, x);
     let (typical, tolerance) = (system.typical(), M::S::lit(DRIFT).max(M::S::lit(64.0) * M::S::EPSILON));
     let largest = |from: usize| (from..from + M::NQ).fold(M::S::ZERO, |size, i| typical.at(i).max(size));
-    // False for what is not a number.
+    // False for NaN.
     let is_near = drift.phi <= tolerance * largest(0) && drift.phi_dot <= tolerance * largest(M::NQ);
     if is_near { Ok(()) } else { system.project_joints(t, u, x) }
 }
 
-/// How far the joints are from closed, and the rows that hold from their places: the larger of both.
+/// Drift of the joints, and of the constraint rows from their places: the larger of both.
 pub fn drift<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> Drift<M::S> {
     let joints = system.drift_of_joints(t, u, x);
     if !u.modes().hold() {
@@ -125,7 +125,8 @@ pub fn drift<M: Contacts<N>, const N: usize>(system: &M, t: M::S, u: &M::U, x: &
     Drift { phi: largest(joints.phi, &away), phi_dot: largest(joints.phi_dot, &rate) }
 }
 
-/// Gives `row` the displacement and the rate of each row that holds, for [`Linear::held_rows`](crate::Linear::held_rows).
+/// Gives `row` the displacement and the rate of each constraint row, for [`Linear::held_rows`](crate::Linear::held_rows). Frictions that
+/// stick are left out if their modes change where the state is set.
 pub fn held_rows<M: Contacts<N>, const N: usize>(
     system: &M,
     t: M::S,
@@ -143,7 +144,7 @@ pub fn held_rows<M: Contacts<N>, const N: usize>(
     }
 }
 
-/// Displacements of the rows that hold.
+/// Displacements of the constraint rows from their places.
 fn away<M: Contacts<N>, const N: usize>(gap: &[M::S; N], u: &M::U) -> [M::S; N] {
     let modes = u.modes();
     core::array::from_fn(|i| match modes.of[i] {
@@ -153,7 +154,7 @@ fn away<M: Contacts<N>, const N: usize>(gap: &[M::S; N], u: &M::U) -> [M::S; N] 
     })
 }
 
-/// Multipliers that take `away` out of the rows that hold, by those rows alone.
+/// Multipliers that remove `away` from the constraint rows, by those rows alone.
 fn held<S: Real, const N: usize>(rows: &Rows<S, N>, modes: [Mode; N], away: [S; N]) -> Option<[S; N]> {
     let only = modes.map(|mode| if mode.holds() { mode } else { Mode::Open });
     let problem = Rows { free: away, ..*rows };

@@ -1,9 +1,10 @@
-//! Numbers and rows by chance for tests.
+//! Random numbers and rows for tests.
 
 use super::loads::Affine;
 use super::rows::{Friction, Limit, Rows};
 
-/// In -1 to 1: splitmix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014).
+/// A number in -1 to 1: splitmix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA
+/// 2014).
 pub(super) fn number(state: &mut u64) -> f64 {
     *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
     let mut z = *state;
@@ -12,7 +13,8 @@ pub(super) fn number(state: &mut u64) -> f64 {
     ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }
 
-/// Three contacts with friction, a gap and its friction in turn, on `M` freedoms: with fewer than six more rows rest than can.
+/// Three contacts with friction, gaps and frictions in turn, on `M` degrees of freedom: with fewer than six the rows depend on
+/// each other.
 pub(super) fn contacts<const M: usize>(state: &mut u64, friction: f64) -> Rows<f64, 6> {
     let directions: [[f64; M]; 6] = core::array::from_fn(|_| core::array::from_fn(|_| number(state)));
     let push: [f64; M] = core::array::from_fn(|_| 9.81 * number(state));
@@ -27,7 +29,7 @@ pub(super) fn contacts<const M: usize>(state: &mut u64, friction: f64) -> Rows<f
     rows
 }
 
-/// The same rows in arrays that have room for more.
+/// Copies rows into arrays that have room for more.
 pub(super) fn with_room<const N: usize, const W: usize>(rows: &Rows<f64, N>) -> Rows<f64, W> {
     let mut wide = Rows::none();
     put(&mut wide.gap, &rows.gap);
@@ -45,12 +47,12 @@ pub(super) fn with_room<const N: usize, const W: usize>(rows: &Rows<f64, N>) -> 
     wide
 }
 
-/// A list with something else after it.
+/// A list, continued with `after`.
 pub(super) fn filled<T: Copy, const N: usize, const W: usize>(list: &[T; N], after: T) -> [T; W] {
     core::array::from_fn(|i| list.get(i).copied().unwrap_or(after))
 }
 
-/// The bits of a list, without what is behind so many.
+/// Bits of the first `count` numbers of a list.
 pub(super) fn bits<const W: usize>(numbers: &[f64; W], count: usize) -> impl Iterator<Item = u64> {
     numbers.iter().take(count).map(|number| number.to_bits())
 }

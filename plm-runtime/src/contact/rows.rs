@@ -5,21 +5,21 @@ use super::modes::Mode;
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// The number of a row or of a reaction, below `N` as compilers see it too: an array that it indexes has no check that could fail.
+/// Index of a row or of a reaction, visibly below `N` for the compiler too: an array that it indexes needs no check.
 pub(super) fn below<const N: usize>(index: usize) -> usize {
     debug_assert!(index < N, "{index} of {N}");
     index.min(N.saturating_sub(1))
 }
 
-/// The numbers of all rows, or of all reactions, each [`below`] `N`.
+/// Indices of all rows, or of all reactions, each [`below`] `N`.
 pub(super) fn indices<const N: usize>() -> impl Iterator<Item = usize> {
     (0..N).map(below::<N>)
 }
 
-/// What a row says.
+/// Law of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law<S> {
-    /// A gap is not negative, nor is the push; one of the two is zero.
+    /// Neither the gap nor the contact force is negative; one of the two is zero.
     Unilateral {
         /// The coefficient of restitution, 0 to 1.
         restitution: S,
@@ -31,12 +31,12 @@ pub enum Law<S> {
 }
 
 impl<S> Law<S> {
-    /// The row is a constraint while it exists.
+    /// True if the row is a constraint while it exists.
     pub fn is_constraint(&self) -> bool {
         matches!(self, Self::Constraint)
     }
 
-    /// The modes of a row that exists no more, and of a constraint that does.
+    /// Mode of a row that does not exist, and of a constraint that does; `None` for other rows.
     pub(super) fn fixed(&self, exists: bool) -> Option<Mode> {
         match (self, exists) {
             (Self::Constraint, true) => Some(Mode::Closed),
@@ -46,16 +46,16 @@ impl<S> Law<S> {
         }
     }
 
-    /// The row has a gap.
+    /// True if the row has a gap.
     pub fn is_unilateral(&self) -> bool {
         matches!(self, Self::Unilateral { .. })
     }
 }
 
-/// The largest force of friction to one side: `own + by . lambda + sum over k of share_k |R_k|`, R_k being reactions of joints.
+/// Largest force of friction to one side: `own + by . lambda + sum over k of share_k |R_k|`, R_k being reactions of joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit<T, const N: usize> {
-    /// What does not depend on contact forces, N or N m. It carries no impulse.
+    /// Part that does not depend on contact forces, N or N m. It carries no impulse.
     pub own: T,
     /// Factors of the multipliers: a coefficient of friction at the row of its normal force.
     pub by: [T; N],
@@ -64,13 +64,13 @@ pub struct Limit<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Limit<T, N> {
-    /// No force.
+    /// Limit zero.
     #[must_use]
     pub fn none() -> Self {
         Self::own(T::ZERO)
     }
 
-    /// A force of its own.
+    /// A limit that does not depend on other forces.
     #[must_use]
     pub fn own(own: T) -> Self {
         Self { own, by: [T::ZERO; N], share: [T::ZERO; N] }
@@ -88,7 +88,7 @@ impl<T: Scalar, const N: usize> Limit<T, N> {
         self.by.iter().zip(lambda).fold(self.own, |sum, (by, lambda)| by.mul_add(*lambda, sum))
     }
 
-    /// Is it there without the forces of other rows?
+    /// True if the limit can be nonzero without the forces of other rows.
     pub(super) fn is_own(&self) -> bool {
         self.own != T::ZERO || self.share.iter().any(|share| *share != T::ZERO)
     }
@@ -97,14 +97,14 @@ impl<T: Scalar, const N: usize> Limit<T, N> {
 /// The limits of a friction: its force is between `-lower` and `upper`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction<T, const N: usize> {
-    /// What acts against a slip forwards, as a positive number.
+    /// Limit of the force against a slip forwards, as a positive number.
     pub lower: Limit<T, N>,
-    /// What acts against a slip backwards.
+    /// Limit of the force against a slip backwards.
     pub upper: Limit<T, N>,
 }
 
 impl<T: Scalar, const N: usize> Friction<T, N> {
-    /// The same in other numbers.
+    /// Converts the limits to other numbers.
     fn in_numbers<U: Scalar>(&self, number: &impl Fn(&T) -> U) -> Friction<U, N> {
         let limit = |limit: &Limit<T, N>| Limit {
             own: number(&limit.own),
@@ -114,28 +114,28 @@ impl<T: Scalar, const N: usize> Friction<T, N> {
         Friction { lower: limit(&self.lower), upper: limit(&self.upper) }
     }
 
-    /// The same limit on both sides.
+    /// One limit for both sides.
     #[must_use]
     pub fn both(limit: Limit<T, N>) -> Self {
         Self { lower: limit, upper: limit }
     }
 }
 
-/// All rows at a state. Row i has the gap or displacement z_i, its rate w_i v + r_i, and the acceleration c_i + D_ij lambda_j. Reactions that
-/// bound frictions are counted by themselves; several rows may read one of them.
+/// All rows at a state. Row i has the gap or displacement z_i, its rate w_i v + r_i, and the acceleration c_i + D_ij lambda_j. Reactions
+/// that bound frictions have indices of their own; several rows may read one of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<T, const N: usize> {
-    /// Gaps of unilateral rows, displacements of frictions, m or rad. A friction whose displacement is not given keeps zero here.
+    /// Gaps of unilateral rows, displacements of frictions, m or rad; zero for a friction without a given displacement.
     pub gap: [T; N],
     /// Their rates, m/s or rad/s.
     pub rate: [T; N],
     /// Accelerations c without contact forces, m/s^2 or rad/s^2.
     pub free: [T; N],
-    /// Accelerations zeta of the rows where nothing has an acceleration, m/s^2 or rad/s^2; a part of c.
+    /// Accelerations zeta of the rows if no coordinate has an acceleration, m/s^2 or rad/s^2; a part of c.
     pub bias: [T; N],
     /// The Delassus operator D = W M^-1 W^T, 1/kg or 1/(kg m^2).
     pub delassus: [[T; N]; N],
-    /// Limits while a row slips; of no meaning at unilateral rows.
+    /// Limits while a row slips; without meaning for unilateral rows.
     pub kinetic: [Friction<T, N>; N],
     /// Limits while it sticks.
     pub adhesion: [Friction<T, N>; N],
@@ -147,15 +147,15 @@ pub struct Rows<T, const N: usize> {
     pub read: [[bool; N]; N],
 }
 
-/// A row that rests is slower than this fraction of the fastest one.
+/// A row at rest is slower than this fraction of the fastest one.
 const SLOW: f64 = 1e-3;
-/// Below this fraction of the largest one, for a length of 1 m at least, a diagonal entry of D is rounding of what has cancelled.
+/// A diagonal entry of D is rounding of terms that cancel below this fraction of the largest one, for a length of at least 1 m.
 const CANCELLED: f64 = 1e-13;
 
 impl<T: Real, const N: usize> Rows<T, N> {
-    /// The rate w v of a row is zero because its direction w is, as that of a slider in its dead centre, while others slip faster than
-    /// `none`. The speed along w, |w v|/sqrt(w M^-1 w^T), is then no smaller than theirs, unless D is rounding alone. Contact forces do
-    /// not accelerate such a row: it slips on to the side of its free acceleration. `length` is that of the mechanism.
+    /// True if the rate w v of a row is zero because its direction w is, as that of a slider in its dead centre, while others slip faster
+    /// than `none`. The speed along w, |w v|/sqrt(w M^-1 w^T), is then comparable with theirs, unless D is rounding alone. Contact forces
+    /// do not accelerate such a row: it continues to slip to the side of its free acceleration. `length` is that of the mechanism.
     pub(super) fn turns(&self, row: usize, none: T, length: T) -> bool {
         let row = below::<N>(row);
         let own = |i: usize| self.delassus[i][i];
@@ -163,7 +163,7 @@ impl<T: Real, const N: usize> Rows<T, N> {
         let slips = |i: &usize| self.rate[*i].abs() > none;
         let largest = indices::<N>().filter(slips).fold(T::ZERO, |largest, i| largest.max(own(i)));
         let cancelled = T::lit(CANCELLED) * largest * (length * length).min(T::lit(1.0));
-        // A row that is driven has nothing but rounding there, of either sign.
+        // A driven row has nothing but rounding there, of either sign.
         let moves = |i: &usize| slips(i) && own(*i) > cancelled;
         let fastest = indices::<N>().filter(moves).fold(T::ZERO, |fastest, i| fastest.max(speed(i)));
         let slides = indices::<N>().any(|i| slips(&i));
@@ -172,7 +172,7 @@ impl<T: Real, const N: usize> Rows<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Rows<T, N> {
-    /// Rows of which nothing is known yet: no friction.
+    /// Rows without data: no friction.
     #[must_use]
     pub fn none() -> Self {
         let nothing = Friction::both(Limit::none());
@@ -190,7 +190,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         }
     }
 
-    /// Becomes the same in other numbers, with the limits of frictions alone; where it stands, since a copy would wait for what was written.
+    /// Copies rows in other numbers, with limits for frictions alone. It writes in place, since a second copy would wait for the first.
     #[allow(clippy::inline_always, reason = "as above")]
     #[inline(always)]
     pub(super) fn take<U: Scalar>(
@@ -212,7 +212,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
                 self.kinetic[row] = rows.kinetic[row].in_numbers(number);
                 self.adhesion[row] = rows.adhesion[row].in_numbers(number);
             }
-            // Reactions have the places of rows.
+            // Reactions are stored at the indices of rows.
             if rows.load[row] != Load::Nothing {
                 let affine = |part: &Affine<U, N>| Affine {
                     own: number(&part.own),
@@ -223,7 +223,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         }
     }
 
-    /// Gives the friction `row` the same limit while it slips and while it sticks.
+    /// Gives the friction `row` one limit for slipping and for sticking.
     pub fn set_friction(&mut self, row: usize, limit: Limit<T, N>) {
         self.set_adhesion(row, limit, limit);
     }
@@ -235,14 +235,15 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
         }
     }
 
-    /// D_ii is zero, or rounding of what has cancelled: no contact force changes the rate of the row. `length` is that of the mechanism, m.
+    /// True if D_ii is zero, or rounding of terms that cancel: no contact force changes the rate of the row. `length` is that of the
+    /// mechanism, m.
     pub(super) fn is_cancelled(&self, row: usize, length: f64) -> bool {
         let own = |i: usize| self.delassus[i][i].to_f64();
         let largest = indices::<N>().fold(0.0, |largest: f64, i| largest.max(own(i)));
         own(below::<N>(row)) <= CANCELLED * largest * (length * length).min(1.0)
     }
 
-    /// The acceleration of a row with these multipliers.
+    /// Acceleration of a row with these multipliers.
     pub(in crate::contact) fn acceleration(&self, row: usize, lambda: &[T; N]) -> T {
         let row = below::<N>(row);
         self.delassus[row].iter().zip(lambda).fold(self.free[row], |sum, (d, lambda)| d.mul_add(*lambda, sum))
@@ -253,8 +254,8 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
 mod tests {
     use super::*;
 
-    /// A slider in its dead centre slips on beside a crank, and beside a row that is driven, of which D is rounding of either sign; one that
-    /// comes to rest with a direction does not.
+    /// A slider in its dead centre continues to slip beside a crank, and beside a driven row, whose D is rounding of either sign. A row
+    /// that comes to rest while it has a direction does not.
     #[test]
     fn a_row_without_direction_turns_beside_one_that_is_driven() {
         for driven in [0.0, 1e-16, -1e-16] {

@@ -1,4 +1,4 @@
-//! Scales of rows of contact: what is small beside them is rounding.
+//! Scales of contact rows: smaller values are rounding.
 
 use super::multipliers::multipliers;
 use super::rows::{Rows, indices};
@@ -7,15 +7,15 @@ use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// A rate of so many roundings of the largest one, before the impacts of the event, is none.
+/// Rate, in roundings of the largest one before the impacts of the event, below which it is zero.
 const RATE_ULPS: f64 = 4096.0;
 
-/// The speed that the accelerations of the rows give over the length of the mechanism.
+/// Speed that the accelerations of the rows give over the length of the mechanism.
 pub(super) fn speed<M: Contacts<N>, const N: usize>(system: &M, rows: &Rows<M::S, N>, u: &M::U) -> M::S {
     (acceleration::<M, N>(rows, u) * system.length()).sqrt()
 }
 
-/// The largest term of an acceleration of the rows, with the forces of the modes until now.
+/// Largest term of the accelerations of the rows, with the forces of the modes before the event.
 pub(super) fn acceleration<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>, u: &M::U) -> M::S {
     let lambda = multipliers(rows, &u.modes().of).map_or([M::S::ZERO; N], |found| found.lambda);
     indices::<N>().fold(M::S::ZERO, |largest, i| {
@@ -24,10 +24,10 @@ pub(super) fn acceleration<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>,
     })
 }
 
-/// Velocities are rounded by so many units in the last place.
+/// Rounding of velocities, in units in the last place.
 const VELOCITY_ULPS: f64 = 16.0;
 
-/// What rounding of the velocities makes of the rates: where bodies go on together, rates are small differences of large velocities.
+/// Error of the rates by rounding of the velocities: if bodies move on together, rates are small differences of large velocities.
 pub(super) fn rounding_of_velocities<M: Contacts<N>, const N: usize>(
     system: &M,
     (t, u): (M::S, &M::U),

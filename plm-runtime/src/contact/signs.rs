@@ -1,4 +1,4 @@
-//! Signs of the reactions along lines that bound frictions: each |R| is taken as R or as -R, and R must have that sign.
+//! Signs of the reactions along lines that bound frictions: each |R| is replaced by R or by -R, and R must have that sign.
 
 use super::candidates::MARGINAL;
 use super::loads::Load;
@@ -7,12 +7,12 @@ use super::multipliers::{Multipliers, multipliers};
 use super::rows::{Rows, indices};
 use crate::scalar::Real;
 
-/// How often signs are turned one at a time, for each reaction along a line.
+/// Most changes of single signs, for each reaction along a line.
 const MOST_TURNS: usize = 2;
-/// So many reactions along lines have all combinations of their signs tried.
+/// Most reactions along lines for which all combinations of signs are tried.
 const MOST_SIGNS: usize = 10;
 
-/// The multipliers of a combination, and the rows with the signs that reactions have with them, where these are others.
+/// Multipliers of a combination; and the rows with the signs that the reactions then have, if these differ from the assumed ones.
 pub(super) fn signed<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     modes: &[Mode; N],
@@ -29,12 +29,12 @@ pub(super) fn signed<S: Real, const N: usize>(
     by_all_signs(rows, modes)
 }
 
-/// Reactions along lines.
+/// Number of reactions along lines.
 fn lines<S, const N: usize>(rows: &Rows<S, N>) -> usize {
     rows.load.iter().filter(|load| matches!(load, Load::Line { .. })).count()
 }
 
-/// A reaction along a line that has another sign than the one it is taken with.
+/// First reaction along a line whose sign is not the assumed one.
 fn wrong_sign<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     Multipliers { lambda, .. }: &Multipliers<S, N>,
@@ -45,8 +45,8 @@ fn wrong_sign<S: Real, const N: usize>(
     })
 }
 
-/// The same as [`signed`] by all combinations of signs, where turning one at a time goes round. None where no combination is met, so
-/// that these modes have no forces; and where there are too many.
+/// Multipliers as by [`signed`], from all combinations of signs, if changes of single signs do not end. `None` if no combination is
+/// consistent, so that these modes have no forces. Of more than [`MOST_SIGNS`] reactions only the first ones get both signs.
 fn by_all_signs<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     modes: &[Mode; N],
@@ -86,7 +86,7 @@ mod tests {
         rows
     }
 
-    /// lambda_i = -sum of s_k |R_k(lambda)| by each combination of signs: is there one in which all have theirs?
+    /// Compares with lambda_i = -sum of s_k |R_k(lambda)| for each combination of signs: is one of them consistent?
     #[test]
     fn signs_are_found_where_there_are_some() {
         let (mut state, mut counts) = (7, [0; 2]);
@@ -112,7 +112,7 @@ mod tests {
         assert!(counts.iter().all(|count| *count > 100), "{counts:?}");
     }
 
-    /// Signs are turned as often whatever the size of arrays.
+    /// The number of changes of signs does not depend on the size of arrays.
     #[test]
     fn room_for_more_rows_changes_no_bit() {
         let (mut state, modes) = (9, [Mode::Forwards, Mode::Forwards, Mode::Off]);

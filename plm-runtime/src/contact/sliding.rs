@@ -1,17 +1,17 @@
-//! Forces of rows that all slip, by sweeps: what generated code has for them needs no system of equations.
+//! Forces of rows that all slip, by sweeps of generated code, without a system of equations.
 
 use super::modes::Modes;
 use crate::scalar::Scalar;
 
-/// Sweeps at most. With a friction of a hundredth of what would lock a joint there are five.
+/// Most sweeps. With a friction of a hundredth of that which would lock a joint five are needed.
 const MOST: u32 = 30;
-/// Roundings of the accelerations by which the next sweep may change them.
+/// Change of the accelerations by the next sweep, in roundings, at which sweeps end.
 const ROUNDED: f64 = 2.0;
-/// A sweep is to change them by this fraction of the one before.
+/// Largest ratio of the changes of two successive sweeps.
 const SWEPT: f64 = 0.5;
 
-/// By row, the sign of its slip, and the sign that is held of a reaction along a line; nothing where some row holds. Numbers
-/// with derivatives are for Newton's steps.
+/// Signs of the slips of the rows, and stored signs of the reactions along a line; `None` if some row is a constraint, and for numbers
+/// with derivatives, which need Newton's method.
 #[must_use]
 pub fn slipping<T: Scalar, const N: usize>(modes: &Modes<T, N>) -> Option<[[T; N]; 2]> {
     if T::HAS_DERIVATIVES || modes.hold() {
@@ -21,9 +21,9 @@ pub fn slipping<T: Scalar, const N: usize>(modes: &Modes<T, N>) -> Option<[[T; N
     Some([modes.of.map(super::Mode::sign), line])
 }
 
-/// Forces of rows that slip, and accelerations of the coordinates with them. Without the forces these are `free`; `sweep` takes forces and
-/// accelerations, and gives the next ones, where `is_explicit` the last ones. `weights` make accelerations comparable. None where
-/// sweeps do not converge, and where a `slope` of the limits says that frictions lock each other.
+/// Forces of slipping rows, and the accelerations of the coordinates with them. Without the forces these are `free`. `sweep` takes forces
+/// and accelerations and writes the next ones, which are final if `is_explicit`. `weights` make accelerations comparable. `None` if sweeps
+/// do not converge, or if a `slope` of the limits is not positive, so that frictions lock each other.
 #[inline]
 pub fn slide<T: Scalar, const N: usize, const M: usize>(
     (slope, weights): (&[T; N], &[f64; M]),
@@ -31,7 +31,7 @@ pub fn slide<T: Scalar, const N: usize, const M: usize>(
     free: [T; M],
     sweep: impl Fn(&[T; N], &[T; M], &mut [T; N], &mut [T; M]),
 ) -> Option<([T; N], [T; M])> {
-    // False for what is not a number.
+    // False for NaN.
     let is_unlocked = slope.iter().all(|slope| slope.to_f64() > 0.0);
     if !is_unlocked {
         return None;
@@ -50,10 +50,10 @@ pub fn slide<T: Scalar, const N: usize, const M: usize>(
             let ulps = ROUNDED * T::PRECISION;
             rounded = ulps * ulps * (square(weights, |k| free[k].to_f64()) + change);
         } else if change * change <= rounded * before || change <= rounded {
-            // The next change would be to this one as this one to the one before. What is less than rounding goes on as it likes.
+            // The next change would be to this one as this one is to the one before. Changes below rounding need not decrease.
             return Some((force, second));
         }
-        // False for what is not a number.
+        // False for NaN.
         let converges = change <= SWEPT * SWEPT * before;
         if !converges {
             return None;
@@ -63,7 +63,7 @@ pub fn slide<T: Scalar, const N: usize, const M: usize>(
     None
 }
 
-/// The sum of the squares of weighted numbers.
+/// Sum of the squares of weighted numbers.
 fn square<const M: usize>(weights: &[f64; M], of: impl Fn(usize) -> f64) -> f64 {
     let each = weights.iter().enumerate().map(|(k, weight)| (weight * of(k)) * (weight * of(k)));
     each.fold(0.0, |sum, square| sum + square)

@@ -1,4 +1,4 @@
-//! What contact rows do, and what was counted of their events, whatever the number of rows.
+//! Status of contact rows, and counters of their events, for any number of rows.
 
 use super::booked::{ImpactEnergy, Impulse};
 use super::modes::Mode;
@@ -9,25 +9,25 @@ use super::outcome::Outcome;
 pub struct Counts {
     /// Impacts.
     pub impacts: u64,
-    /// Gaps that were open and stay closed from an event on: a touch-down without a bounce, or the end of bouncing.
+    /// Gaps that were open and stay closed after an event: a touch-down without a bounce, or the end of bouncing.
     pub closures: u64,
-    /// Gaps that were closed and are open from an event on; a bounce is an impact and none of these.
+    /// Gaps that were closed and are open after an event; a bounce is an impact and not counted here.
     pub openings: u64,
-    /// Frictions that slipped, or had no normal force, and stick from an event on.
+    /// Frictions that slipped, or had no normal force, and stick after an event.
     pub sticks: u64,
-    /// Frictions that stuck, or had no normal force, and slip from an event on, and those that slip the other way.
+    /// Frictions that stuck, or had no normal force, and slip after an event, and those that reverse their slip.
     pub slips: u64,
     /// Steps of Newton's method for frictions that are bounded by a reaction in the plane, in events.
     pub newton: u64,
     /// Events after which other accelerations satisfy all laws as well.
     pub ambiguous: u64,
-    /// Events with impacts that other impulses, with other rates after them, would satisfy as well: in corners, and of several rows
-    /// at once by sequential impacts.
+    /// Events with impacts for which other impulses, with other rates after them, satisfy all laws as well: in corners, and of
+    /// several rows at once if impacts are solved in sequence.
     pub ambiguous_impacts: u64,
-    /// Events with impacts whose impulses several rows may share in many ways, some of which have a restitution: the rates after them
-    /// are one of many.
+    /// Events with impacts whose impulses several rows may share in many ways while some of them have a restitution: the rates after
+    /// them are one of many.
     pub undetermined_impacts: u64,
-    /// Events after which more rows rest than there are freedoms: accelerations are unique, multipliers are not.
+    /// Events after which more rows are at rest than there are degrees of freedom: accelerations are unique, multipliers are not.
     pub undetermined: u64,
 }
 
@@ -47,7 +47,7 @@ impl Counts {
     }
 }
 
-/// What the contact rows of a mechanism do; of one without contact nothing.
+/// Status of the contact rows of a mechanism; empty without contact.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Status<'a> {
     pub(super) modes: &'a [Mode],
@@ -58,20 +58,20 @@ pub struct Status<'a> {
 }
 
 impl Status<'_> {
-    /// How many guards the rows have: [`guard_count`](super::guard_count) of the places that there are for them.
+    /// Number of guards of the rows: [`guard_count`](super::guard_count) of the rows that there is room for.
     #[must_use]
     pub fn guard_count(&self) -> usize {
         if self.modes.is_empty() { 0 } else { super::guard_count(self.modes.len()) }
     }
 
-    /// Do the rows do the same as those of another moment, with no impact between?
+    /// True if the rows have the modes of `other`, another moment, with no impact in between.
     pub(crate) fn has_modes_of(&self, other: &Self) -> bool {
         self.counts.impacts == other.counts.impacts
             && self.modes.iter().zip(other.modes).all(|(mode, other)| mode == other)
             && self.carried.iter().zip(other.carried).all(|(carried, other)| carried == other)
     }
 
-    /// What a row does; a row that others hold is closed, or sticks.
+    /// Mode of a row; a row that others carry is reported as closed or sticking.
     #[must_use]
     pub fn mode(&self, row: usize) -> Option<Mode> {
         let is_carried = self.carried.get(row) == Some(&true);
@@ -82,25 +82,25 @@ impl Status<'_> {
         })
     }
 
-    /// More rows rest than there are freedoms: accelerations are unique, multipliers are not.
+    /// True if more rows are at rest than there are degrees of freedom: accelerations are unique, multipliers are not.
     #[must_use]
     pub fn is_undetermined(&self) -> bool {
         self.carried.contains(&true)
     }
 
-    /// The last impulse of a row; none where it has had none. Impulses at one time are added.
+    /// Last impulse of a row; `None` before the first one. Impulses at one time are added.
     #[must_use]
     pub fn impulse(&self, row: usize) -> Option<Impulse> {
         self.impulses.get(row).copied().filter(|impulse| impulse.time.is_finite())
     }
 
-    /// Energy that impacts have lost since the run began.
+    /// Energy of the impacts since the run began.
     #[must_use]
     pub fn energy(&self) -> ImpactEnergy {
         self.energy
     }
 
-    /// What was counted since the run began.
+    /// Counters of the events since the run began.
     #[must_use]
     pub fn counts(&self) -> Counts {
         self.counts

@@ -1,4 +1,4 @@
-//! The impacts of an event: one problem after the other, until no row approaches.
+//! Impacts of an event: one problem after another, until no row approaches.
 
 use super::booked::Struck;
 use super::event::Event;
@@ -9,14 +9,14 @@ use crate::fault::{Cause, Fault};
 use crate::scalar::Scalar;
 use crate::vector::Vector;
 
-/// Impacts one after the other, at most.
+/// Most successive impacts.
 const MOST_IMPACTS: u32 = 30;
-/// Impacts of pairs one after the other, at most.
+/// Most successive impacts of pairs.
 const MOST_PAIRS: u32 = 1000;
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
-    /// Impacts of all rows that touch, until none approaches faster than it may to rest, or than the `slowest`. The rows become those
-    /// after them.
+    /// Solves impacts of all rows that touch, until none approaches faster than a row at rest may, or than `slowest`. The rows become
+    /// those after the impacts.
     pub(super) fn impacts(
         &self,
         laws: &[Law<M::S>; N],
@@ -57,7 +57,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         }
     }
 
-    /// The rates that time alone gives the rows.
+    /// Rates of the rows that depend on time alone.
     fn rates_at_rest(&self, u: &M::U, x: &M::X) -> [M::S; N] {
         let mut rest = *x;
         for i in M::NQ..2 * M::NQ {

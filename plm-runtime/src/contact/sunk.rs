@@ -1,4 +1,4 @@
-//! Gaps that are negative where a row begins to exist.
+//! Penetration: gaps that are negative where a row begins to exist.
 
 use super::Contacts;
 use super::event::CLOSED;
@@ -6,10 +6,10 @@ use super::rows::{below, indices};
 use crate::fault::{Cause, Fault};
 use crate::scalar::Scalar;
 
-/// Looks at rows that did not exist before an event, and do now.
+/// Checks the rows that begin to exist by an event.
 ///
 /// # Errors
-/// [`Cause::Sunk`] where the gap of one is negative.
+/// [`Cause::Sunk`] if a gap is negative, [`Cause::Open`] if a constraint is open.
 pub fn appear<M: Contacts<N>, const N: usize>(
     system: &M,
     t: M::S,
@@ -19,10 +19,10 @@ pub fn appear<M: Contacts<N>, const N: usize>(
     above((system, t), u, x, |row| !existed[below::<N>(row)])
 }
 
-/// A constraint that begins to exist may be open by this fraction of the length of the mechanism: it is led back. Starts are rounded.
+/// Gap, as a fraction of the length of the mechanism, up to which a constraint that begins to exist is led back. Starts are rounded.
 const ROUNDED: f64 = 1e-4;
 
-/// Gaps of the rows `of` which it is asked are not negative, and constraints among them closed.
+/// Checks that the gaps of the rows selected by `of` are not negative, and that constraints among them are closed.
 pub(super) fn above<M: Contacts<N>, const N: usize>(
     (system, t): (&M, M::S),
     u: &M::U,

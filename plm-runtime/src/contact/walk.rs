@@ -1,4 +1,4 @@
-//! From one combination of modes to the next: a start by pivots, and the rows whose inequalities are broken take other modes.
+//! Search through combinations of modes: a start by pivots, then other modes for the rows whose inequalities are violated.
 
 use super::candidates::{Allowed, Found, Margins, Solution, is_off, solve};
 use super::margins::stick;
@@ -7,13 +7,13 @@ use super::pivots::pivoted;
 use super::rows::Rows;
 use crate::scalar::Real;
 
-/// Combinations, for each row that may have several modes.
+/// Most combinations, for each row that may have several modes.
 const MOST_STEPS: usize = 3;
 
-/// Starts by pivots.
+/// Most starts by pivots.
 const MOST_ATTEMPTS: u32 = 5;
 
-/// A combination that breaks no inequality.
+/// A combination that violates no inequality, from one of several starts.
 #[inline(never)]
 pub(super) fn walk<S: Real, const N: usize>(
     rows: &Rows<S, N>,
@@ -24,7 +24,7 @@ pub(super) fn walk<S: Real, const N: usize>(
     found.map_or(Found::TooMany, |solution| Found::Modes(solution, false))
 }
 
-/// The same from one start.
+/// A combination that violates no inequality, from the start of this `attempt`.
 fn walked<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
@@ -39,7 +39,7 @@ fn walked<S: Real, const N: usize>(
         let Some(first) = broken.iter().position(|is_broken| *is_broken) else {
             return Some(solution);
         };
-        // All of them at once; where rows depend on each other then, the first alone.
+        // All rows at once; if rows depend on each other then, the first alone.
         next = solve(rows, allowed, changed(rows, allowed, &solution, &broken)).or_else(|| {
             let one = core::array::from_fn(|i| i == first);
             solve(rows, allowed, changed(rows, allowed, &solution, &one))
@@ -48,7 +48,7 @@ fn walked<S: Real, const N: usize>(
     None
 }
 
-/// The modes with others for the rows that are marked.
+/// The modes with others for the marked rows.
 fn changed<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
@@ -69,7 +69,7 @@ fn changed<S: Real, const N: usize>(
     settled(rows, allowed, modes)
 }
 
-/// Frictions without normal force are off, and stick where they have got one.
+/// Sets frictions without normal force to off, and those that have got one to sticking.
 fn settled<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     allowed: &[Allowed; N],
@@ -101,7 +101,7 @@ mod tests {
         (rows, allowed)
     }
 
-    /// Solved, of those that have a solution; wrong ones; how many have none by enumeration.
+    /// Counts: solved by both; of these, with another motion although it is unique; solved by enumeration alone; other cases.
     fn compare<const M: usize>(friction: f64) -> [usize; 4] {
         let (mut state, mut counts) = (33, [0; 4]);
         for _ in 0..1500 {
@@ -132,7 +132,7 @@ mod tests {
         }
     }
 
-    /// Whether and how a walk ends does not depend on the size of arrays.
+    /// The end of a search does not depend on the size of arrays.
     #[test]
     fn room_for_more_rows_changes_no_bit() {
         let (mut state, mut counts) = (5, [0; 2]);

@@ -9,7 +9,7 @@ use crate::sim::Sim;
 use crate::start::follow_where;
 use crate::statics::Statics;
 
-/// What each observed quantity is shown in: the declared output of its name in its unit, or SI where there is none.
+/// Declared output, with its unit, of each observed quantity of that name; `None` for a quantity that is shown in SI.
 pub fn shown<M: Described>(of: &M) -> impl Iterator<Item = Option<(usize, &'static Quantity)>> + use<M> {
     // Both lists are in the order of the declaration.
     let mut declared = of.tables().outputs.iter().enumerate().peekable();

@@ -1,8 +1,7 @@
-//! A mechanism describes itself, by number: for whoever draws, records, couples or sets mechanisms without knowing their
-//! names.
+//! Descriptions of mechanisms by number: for drawing, recording, coupling and setting mechanisms without their names.
 //!
-//! Names, units and who joins whom are constants of a type that the compiler wrote, [`Described::TABLES`]; those of any mechanism are
-//! [`Described::tables`]. What parameters change is a function of the mechanism. Nothing of it is compiled where nobody asks.
+//! Names, units and connections are constants of a type that the compiler wrote, [`Described::TABLES`]; those of any mechanism are
+//! [`Described::tables`]. Values that depend on parameters are functions of the mechanism. Unused parts of it are not compiled.
 
 pub mod by_number;
 pub mod pulls;
@@ -29,7 +28,7 @@ const OF_PORT: usize = 3;
 pub struct Place<S> {
     /// From the centre of gravity in the axes of the body, of ports of the ground from the origin; m.
     pub x: S,
-    /// The same, m.
+    /// Its y coordinate, m.
     pub y: S,
     /// Of its x axis against that of the body, or the absolute one; rad.
     pub angle: S,
@@ -45,7 +44,7 @@ impl<S: Scalar> Place<S> {
 /// The numbers that a mechanism computes with.
 type Number<M> = <M as Rate>::S;
 
-/// A mechanism that tells of its bodies, parts, parameters and quantities by number.
+/// A mechanism that describes its bodies, parts, parameters and quantities by number.
 ///
 /// Numbers count from 0 in the order of [`tables`](Self::tables); beyond the last there is nothing (`None`). All is in SI.
 ///
@@ -58,9 +57,9 @@ type Number<M> = <M as Rate>::S;
 /// }
 /// ```
 pub trait Described: Mechanism + Ports {
-    /// Names, units, and who joins whom.
+    /// Names, units and connections.
     const TABLES: &'static Tables;
-    /// Names and SI units of the quantities that [`observed`](Self::observed) gives: outputs, and what is observed.
+    /// Names and SI units of the quantities that [`observed`](Self::observed) gives: outputs, and observed quantities.
     const OBSERVED: &'static [(&'static str, &'static str)];
 
     /// The declaration in the language of `mechanism!`, as it was written.
@@ -128,8 +127,8 @@ pub trait Described: Mechanism + Ports {
     /// A quantity of [`observables`](Self::observables), worked out when it is asked for.
     fn observed(state: &Self::State, index: usize) -> Option<Number<Self>>;
 
-    /// The condition on the time alone that changes at the time `t`, s; in words of diagnostics, as
-    /// [`guard_name`](crate::Labels::guard_name) those on the state.
+    /// The condition on the time alone that changes at the time `t`, s; named as in diagnostics, as
+    /// [`guard_name`](crate::Labels::guard_name) names those on the state.
     fn instant_name(&self, t: Number<Self>, held: &<Self as Rate>::U) -> &'static str {
         let _ = (t, held);
         ""
@@ -192,7 +191,7 @@ pub trait Described: Mechanism + Ports {
         self.point(points, first, point)
     }
 
-    /// Sets a parameter; false if there is none with this index. A run looks at it before its next step.
+    /// Sets a parameter; false if there is none with this index. A run checks it before its next step.
     fn set_parameter(&mut self, index: usize, value: Number<Self>) -> bool {
         self.parameter_mut(index).map(|parameter| *parameter = value).is_some()
     }

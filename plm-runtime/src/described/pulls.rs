@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::Described;
 
-/// What a part and an input are called through which a body is pulled; its number goes after.
+/// Prefix of the names of the part and the inputs through which a body is pulled; its number follows.
 const PULL: &str = "plm_pull_";
 
 /// A declaration to which an input of force and torque at the centre of gravity of each body is added, three for each:

@@ -1,4 +1,4 @@
-//! What a mechanism tells of itself that no parameter changes: names, units, who joins whom.
+//! Tables of a mechanism that no parameter changes: names, units, connections.
 
 use plm_math::Operations;
 
@@ -9,7 +9,7 @@ pub struct Tables {
     pub name: &'static str,
     /// Its documentation, line by line.
     pub docs: &'static str,
-    /// What the compiler has chosen.
+    /// Choices of the compiler.
     pub report: Report,
     /// The bodies.
     pub bodies: &'static [Body],
@@ -25,15 +25,15 @@ pub struct Tables {
     pub states: &'static [Quantity],
     /// The declared outputs, a vector as two; in these units [`Ports::outputs`](crate::Ports::outputs) gives them.
     pub outputs: &'static [Quantity],
-    /// What each of these outputs reads at a moment, then the rate of each first-order state; `None` where accelerations or
+    /// Variables that each of these outputs reads at a moment, then those of the rate of each first-order state; `None` if accelerations or
     /// reactions are read, which may depend on all.
     pub reads: &'static [Option<Reads>],
 }
 
-/// What a quantity reads at a moment, beside parameters; what is not among it has no influence on it.
+/// Variables that a quantity reads at a moment, beside parameters; all others have no influence on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reads {
-    /// What it reads of bodies.
+    /// Motion of bodies that it reads.
     pub motion: Motion,
     /// Does it read the time, by itself or by a motion that is prescribed?
     pub time: bool,
@@ -43,7 +43,7 @@ pub struct Reads {
     pub inputs: &'static [usize],
 }
 
-/// What is read of bodies.
+/// Motion of bodies that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Motion {
     /// Nothing.
@@ -59,7 +59,7 @@ pub enum Motion {
 pub struct Report {
     /// Its number, from 1 (kinematics) to 5 (absolute coordinates).
     pub rung: u8,
-    /// What the unknowns are: `joint coordinates`.
+    /// Unknowns of the formulation: `joint coordinates`.
     pub formulation: &'static str,
     /// Why it was taken: `the joints make a tree, so that no constraint is left`.
     pub reason: &'static str,
@@ -78,7 +78,7 @@ pub struct Body {
     pub ports: &'static [&'static str],
     /// How many points its contour has; 0 if there is none.
     pub contour: usize,
-    /// Where its numbers begin: mass, inertia, depth, its ports, its contour.
+    /// Index of its first number: mass, inertia, depth, its ports, its contour.
     #[doc(hidden)]
     pub first: usize,
 }
@@ -90,7 +90,7 @@ pub struct GroundPort {
     pub name: &'static str,
     /// Does its place change with the time?
     pub moves: bool,
-    /// Where its numbers begin: x, y, angle, depth.
+    /// Index of its first number: x, y, angle, depth.
     #[doc(hidden)]
     pub first: usize,
 }
@@ -108,7 +108,7 @@ pub struct Part {
     pub frames: &'static [Frame],
     /// Names of its parameters that pictures show: `pin_diameter`.
     pub sizes: &'static [&'static str],
-    /// Where its sizes begin.
+    /// Index of its first size.
     #[doc(hidden)]
     pub first: usize,
 }
@@ -128,7 +128,7 @@ pub struct Shape {
     pub is_symbol: bool,
     /// How many points it has. The first of a symbol and of a circle is where its origin is, m; a circle has one more, on its rim.
     pub points: usize,
-    /// Where they begin.
+    /// Index of the first point.
     #[doc(hidden)]
     pub first: usize,
 }
@@ -140,7 +140,7 @@ pub struct Hole {
     pub body: usize,
     /// How many points it has.
     pub points: usize,
-    /// Where they begin.
+    /// Index of the first point.
     #[doc(hidden)]
     pub first: usize,
 }
@@ -148,7 +148,7 @@ pub struct Hole {
 /// A frame that a part joins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frame {
-    /// What the part calls it: `a`.
+    /// Name of the frame in the part: `a`.
     pub argument: &'static str,
     /// The number of its body; none for the ground.
     pub body: Option<usize>,

@@ -10,9 +10,9 @@ use crate::statics::Statics;
 use crate::system::System;
 use crate::words::{InWords, Words};
 
-/// Shows everything that decides how a run goes on, in this order: parameters and start values; inputs; what is held; time and
-/// state; the method; conditions; limits; the clock. What was counted ([`stats`](Sim::stats)) and the last step, for states
-/// within it, are not shown.
+/// Visits everything that decides how a run goes on, in this order: parameters and start values; inputs; the discrete state; time and
+/// state; the method; conditions; limits; the clock. Counters ([`stats`](Sim::stats)) and the last step, for states within it, are not
+/// included.
 impl<M, I> InWords for Sim<M, I>
 where
     M: Described + Statics + System<U: InWords>,

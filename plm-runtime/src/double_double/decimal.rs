@@ -1,6 +1,6 @@
 //! Numbers as they were written: a parameter counts as the decimal in its declaration.
 //!
-//! Whether lengths meet at a singular pose must not depend on the rounding of their decimals.
+//! The test for lengths that meet at a singular pose must not depend on the rounding of their decimals.
 
 use plm_math::exact::two_product;
 
@@ -13,7 +13,7 @@ const SPARED: f64 = 1e-2;
 impl<S: Real> DoubleDouble<S> {
     /// The number that was written where `x` was read: the shortest decimal that is rounded to `x`, if it has few digits, else `x`.
     ///
-    /// Lengths of 0.3, 0.8, 0.5 and 0.6 m are a neutral linkage then, as whoever wrote them meant it: 0.3 + 0.8 is 0.5 + 0.6.
+    /// Lengths of 0.3, 0.8, 0.5 and 0.6 m are a neutral linkage then, as intended: 0.3 + 0.8 is 0.5 + 0.6.
     ///
     /// ```
     /// use plm_runtime::DoubleDouble;
@@ -27,7 +27,7 @@ impl<S: Real> DoubleDouble<S> {
         let (mut power, ten, half) = (S::lit(1.0), S::lit(10.0), S::lit(0.5));
         loop {
             let whole = (x * power + half).floor();
-            // False for what is not a number.
+            // False for NaN.
             let few = whole.abs() < S::lit(SPARED) / S::EPSILON;
             if !few {
                 return Self::of(x);

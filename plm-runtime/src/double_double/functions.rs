@@ -61,7 +61,7 @@ fn less_multiple<S: Real, const N: usize>(x: DoubleDouble<S>, k: S, words: [S; N
     words.into_iter().fold(x, |rest, word| rest.plus(DoubleDouble::product(k, word).negated()))
 }
 
-/// Sine and cosine by quarter turns and series.
+/// Sine and cosine by quarter revolutions and series.
 pub(super) fn sin_cos<S: Real>(x: DoubleDouble<S>) -> (DoubleDouble<S>, DoubleDouble<S>) {
     // So that the number of quarter turns is a whole number of `S`, and the words of pi/2 suffice.
     let largest = S::lit(if is_single::<S>() { 2_097_152.0 } else { 1_125_899_906_842_624.0 });
@@ -84,7 +84,7 @@ pub(super) fn sin_cos<S: Real>(x: DoubleDouble<S>) -> (DoubleDouble<S>, DoubleDo
     let sin = angle.plus(angle.times(square).times(SINE.sum(square)));
     let cos = DoubleDouble::lit(1.0).plus(square.times(COSINE.sum(square)));
 
-    // By k modulo 4: from whole turns on numbers of `S` are exact.
+    // By k modulo 4: quarters, their half and the half of that are exact in `S`.
     let half = (quarters * S::lit(0.5)).floor();
     let is_odd = quarters != half + half;
     let is_turned = half != (half * S::lit(0.5)).floor() * S::lit(2.0);

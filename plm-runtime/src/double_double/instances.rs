@@ -4,8 +4,9 @@ use super::DoubleDouble;
 use crate::scalar::Scalar;
 
 impl DoubleDouble<f64> {
-    /// Every operation that is a call, once; nobody calls this. A program that is built without optimisation shares what the compiler puts
-    /// into this crate for it. Where this crate is optimised, as for our tests, motions near singular poses take less time so.
+    /// Calls every operation that is not inlined once; it is never called itself. A program that is built without optimisation shares the
+    /// code that the compiler generates for it in this crate. If this crate is optimised, as for our tests, motions near singular poses
+    /// take less time.
     #[doc(hidden)]
     #[must_use]
     pub fn operations(a: Self, b: Self) -> ([Self; 7], [Self; 9]) {

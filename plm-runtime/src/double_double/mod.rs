@@ -1,7 +1,7 @@
 //! Numbers of twice the precision: unevaluated sums of two.
 //!
-//! Where a result is a small difference of large numbers, next to a singular pose or in a reference for tests, the digits
-//! of `f64` do not suffice. Generated code is generic over its scalar, so it runs on [`DoubleDouble`] as it is:
+//! The digits of `f64` do not suffice for a small difference of large numbers, next to a singular pose or in a reference for tests.
+//! Generated code is generic over its scalar, so it runs on [`DoubleDouble`] as it is:
 //!
 //! ```
 //! use plm_runtime::{Scalar, DoubleDouble};
@@ -15,8 +15,8 @@
 //! assert_eq!(difference_of_squares(a, b).rounded(), 189_812_533.0);
 //! ```
 //!
-//! [`Pack::pack`](crate::lanes::Pack::pack) and [`pack_held`](crate::lanes::Pack::pack_held) make a generated mechanism
-//! and what it holds into one of these numbers: `mechanism.pack([&mechanism], |[s]| DoubleDouble::of(s))`.
+//! [`Pack::pack`](crate::lanes::Pack::pack) and [`pack_held`](crate::lanes::Pack::pack_held) convert a generated mechanism and its discrete
+//! state to these numbers: `mechanism.pack([&mechanism], |[s]| DoubleDouble::of(s))`.
 //!
 //! Method: T. J. Dekker, A floating-point technique for extending the available precision, Numerische Mathematik 18,
 //! 1971; D. E. Knuth, The Art of Computer Programming 2, 4.2.2; bounds and the variants taken: M. Joldes, J.-M. Muller,
@@ -100,7 +100,7 @@ impl<S: Real> DoubleDouble<S> {
         self.high
     }
 
-    /// What is missing in [`high`](Self::high): the number less its rounded value.
+    /// Rounding error of [`high`](Self::high): the number less its rounded value.
     #[inline]
     pub const fn low(self) -> S {
         self.low

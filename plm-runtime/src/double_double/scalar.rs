@@ -1,4 +1,4 @@
-//! What generated code and methods ask of a number.
+//! Double-double numbers as scalars of generated code and of methods.
 
 use super::{DoubleDouble, functions};
 use crate::scalar::{Real, Scalar};
@@ -17,8 +17,8 @@ impl<S: Real> Scalar for DoubleDouble<S> {
     type Turns = i32;
 
     const ZERO: Self = Self::of(S::ZERO);
-    /// What repeats itself but for rounding of the lengths in `S` stays below: at the distance d from a flat pose the square of a unit
-    /// in the last place over d. Lengths that differ by more than they are rounded stay above: by about their difference.
+    /// Pivot ratios of rows that are redundant but for the rounding of the lengths in `S` are below: at the distance d from a flat pose the
+    /// square of a unit in the last place over d. Lengths that differ by more than their rounding are above: by about their difference.
     const HEALTHY: f64 = S::HEALTHY * S::HEALTHY * 3e-5;
     const MOST_GROWTH: f64 = 1.0 / Self::HEALTHY;
     const AGREEMENT: f64 = S::AGREEMENT;

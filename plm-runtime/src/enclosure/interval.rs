@@ -5,17 +5,17 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::scalar::Real;
 
-/// All numbers from `low` to `high`; infinite bounds say that nothing is known.
+/// All numbers from `low` to `high`; infinite bounds are unknown ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval<S> {
-    /// No number in it is smaller.
+    /// Lower bound.
     pub low: S,
-    /// No number in it is larger.
+    /// Upper bound.
     pub high: S,
 }
 
 impl<S: Real> Interval<S> {
-    /// The numbers between two, in whatever order; all numbers if one of them is not a number.
+    /// Numbers between two, in either order; all numbers if one of them is NaN.
     #[inline]
     pub fn between(a: S, b: S) -> Self {
         if a <= b {
@@ -39,38 +39,38 @@ impl<S: Real> Interval<S> {
         Self { low: -S::INFINITY, high: S::INFINITY }
     }
 
-    /// The smallest interval that holds both.
+    /// Smallest interval that contains both.
     #[inline]
     #[must_use]
     pub fn hull(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// The largest absolute value.
+    /// Largest absolute value.
     #[inline]
     pub fn size(self) -> S {
         self.low.abs().max(self.high.abs())
     }
 
-    /// Is the number between the bounds?
+    /// True if the number is between the bounds.
     #[inline]
     pub fn contains(self, s: S) -> bool {
         self.low <= s && s <= self.high
     }
 
-    /// Are both bounds finite?
+    /// True if both bounds are finite.
     #[inline]
     pub fn is_bounded(self) -> bool {
         self.low.is_finite() && self.high.is_finite()
     }
 
-    /// Does every number vanish?
+    /// True if the only number is zero.
     #[inline]
     fn vanishes(self) -> bool {
         self.low == S::ZERO && self.high == S::ZERO
     }
 
-    /// Widened by the rounding of one operation; a bound that is not a number becomes infinite.
+    /// Interval widened by the rounding of one operation; a bound that is NaN becomes infinite.
     #[inline]
     pub(super) fn outward(low: S, high: S) -> Self {
         let (below, above) = (low - S::EPSILON * low.abs(), high + S::EPSILON * high.abs());
@@ -80,13 +80,13 @@ impl<S: Real> Interval<S> {
         }
     }
 
-    /// `f` of an interval on which it grows.
+    /// Range of `f` over an interval on which it grows.
     #[inline]
     pub(super) fn growing(self, f: impl Fn(S) -> S) -> Self {
         Self::outward(f(self.low), f(self.high))
     }
 
-    /// All squares.
+    /// Range of the squares.
     #[inline]
     #[must_use]
     pub(super) fn square(self) -> Self {
@@ -95,7 +95,7 @@ impl<S: Real> Interval<S> {
         Self::outward(low * low, high * high)
     }
 
-    /// All integer powers.
+    /// Range of the integer powers.
     #[must_use]
     pub(super) fn powi(self, n: i32) -> Self {
         if n < 0 {
@@ -109,7 +109,7 @@ impl<S: Real> Interval<S> {
         Self::outward(least, low.max(high))
     }
 
-    /// Square roots of what is not negative; everything where nothing is left.
+    /// Range of the square roots of the numbers that are not negative; all numbers if there are none.
     #[inline]
     #[must_use]
     pub(super) fn sqrt(self) -> Self {
@@ -119,7 +119,7 @@ impl<S: Real> Interval<S> {
         Self { low: self.low.max(S::ZERO), high: self.high }.growing(S::sqrt)
     }
 
-    /// All absolute values.
+    /// Range of the absolute values.
     #[inline]
     #[must_use]
     pub(super) fn abs(self) -> Self {
@@ -132,14 +132,14 @@ impl<S: Real> Interval<S> {
         }
     }
 
-    /// All sines, by the sines at both bounds and the crests and troughs between them.
+    /// Range of the sines, from the sines at both bounds and the crests and troughs between them.
     pub(super) fn sin_with(self, at_low: S, at_high: S, quarter: f64) -> Self {
         let one = S::lit(1.0);
         let turns = |angle: S, from: f64| {
             (angle - S::lit((from - quarter) * core::f64::consts::FRAC_PI_2))
                 * S::lit(0.5 * core::f64::consts::FRAC_1_PI)
         };
-        // A bound next to a crest counts as beyond it: the range is then too wide by rounding.
+        // A bound next to a crest counts as beyond it: the range is then too wide by rounding only.
         let slack = S::lit(4.0) * S::EPSILON * (one + self.size());
         let passes =
             |from: f64| (turns(self.high, from) + slack).floor() > (turns(self.low, from) - slack).floor();
@@ -182,7 +182,7 @@ impl<S: Real> Mul for Interval<S> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        // Bounds stand for finite numbers: zero times an unknown one is zero.
+        // Bounds stand for finite numbers: zero times an unknown number is zero.
         if self.vanishes() || other.vanishes() {
             return Self { low: S::ZERO, high: S::ZERO };
         }

@@ -1,9 +1,9 @@
-//! Numbers over an interval of time: what a guard can be anywhere in a step.
+//! Numbers over an interval of time: the range of a guard anywhere in a step.
 //!
-//! Generated code is generic over its scalar, so that running it on an [`Enclosed`] encloses a guard between two times. From
-//! the range of the slope and the value in the middle follows a second range, by the mean value theorem, which shrinks
-//! with the square of the interval (R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, SIAM
-//! 2009, 6.4): a guard that is bisected is decided soon.
+//! Generated code is generic over its scalar, so that running it on an [`Enclosed`] encloses a guard between two times. The
+//! range of the slope and the value in the middle give a second range, by the mean value theorem, which shrinks with the
+//! square of the interval (R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, SIAM 2009, 6.4):
+//! bisection soon decides the sign of a guard.
 
 mod interval;
 
@@ -13,25 +13,25 @@ pub use interval::Interval;
 
 use crate::scalar::{Real, Scalar};
 
-/// A number that moves, over an interval of its one variable.
+/// A moving number over an interval of its one variable.
 #[derive(Clone, Copy, Debug)]
 pub struct Enclosed<S> {
-    /// The number in the middle of the interval.
+    /// Value in the middle of the interval.
     pub middle: S,
-    /// What it can be anywhere in it.
+    /// Range of its values in the interval.
     pub value: Interval<S>,
-    /// What its derivative can be.
+    /// Range of its derivative in the interval.
     pub slope: Interval<S>,
 }
 
-/// The outcome of a comparison somewhere in an interval.
+/// Outcome of a comparison over an interval.
 #[derive(Clone, Copy, Debug)]
 pub struct Outcome {
-    /// In the middle.
+    /// True if it is satisfied in the middle.
     middle: bool,
-    /// It may hold somewhere.
+    /// True if it may be satisfied somewhere.
     may: bool,
-    /// It holds everywhere.
+    /// True if it is satisfied everywhere.
     must: bool,
 }
 
@@ -42,22 +42,22 @@ impl<S: Real> Enclosed<S> {
         Self { middle: s, value: Interval::point(s), slope: Interval::point(S::ZERO) }
     }
 
-    /// The range of the number over an interval that reaches `radius` to both sides of its middle.
+    /// Range of the number over an interval that reaches `radius` to both sides of its middle.
     #[inline]
     pub fn range(self, radius: S) -> Interval<S> {
         let away = radius * self.slope.size();
         let (low, high) = (self.middle - away, self.middle + away);
-        // A bound that is not a number says nothing.
+        // A bound that is NaN has no effect.
         Interval { low: low.max(self.value.low), high: high.min(self.value.high) }
     }
 
-    /// `f` of it by the chain rule.
+    /// Function of the number by the chain rule: its value in the middle, its range, and the range of its slope.
     #[inline]
     fn chain(self, middle: S, value: Interval<S>, slope: Interval<S>) -> Self {
         Self { middle, value, slope: slope * self.slope }
     }
 
-    /// One of two, of which it is not known which; the function is continuous where they meet.
+    /// One of two numbers, if it is unknown which; the function is continuous where they meet.
     #[inline]
     fn either(self, other: Self, middle: S) -> Self {
         Self { middle, value: self.value.hull(other.value), slope: self.slope.hull(other.slope) }
@@ -207,18 +207,17 @@ impl<S: Real> Scalar for Enclosed<S> {
         let middle = self.middle.atan2(x.middle);
         let stands =
             |s: &Self| s.value.low == S::ZERO && s.value.high == S::ZERO && s.slope.size() == S::ZERO;
-        // On the x axis, or at rest in the origin, it does not move.
+        // On the x axis, or at rest in the origin, the angle does not move.
         if stands(&self) && (stands(&x) || !a.contains(S::ZERO)) {
             return Self::constant(middle);
         }
-        // The angle jumps by a turn where it passes the negative x axis, or the origin.
+        // The angle jumps by a revolution where it passes the negative x axis or the origin.
         let passes_axis = b.low < S::ZERO && b.high >= S::ZERO && a.low < S::ZERO;
         if passes_axis || b.contains(S::ZERO) && a.contains(S::ZERO) {
             let half = S::lit(core::f64::consts::PI);
             return Self { middle, value: Interval::outward(-half, half), slope: Interval::everything() };
         }
-        // Seen from outside, a rectangle is widest between corners.
-        // Zero with a minus would be on the other side of the axis.
+        // Seen from outside, a rectangle is widest between corners. Negative zero would be on the other side of the axis.
         let corner = |y: S, x: S| Interval::point((y + S::ZERO).atan2(x));
         let left = corner(b.low, a.low).hull(corner(b.high, a.low));
         let corners = left.hull(corner(b.low, a.high)).hull(corner(b.high, a.high));
@@ -241,14 +240,14 @@ impl<S: Real> Scalar for Enclosed<S> {
         }
         if self.value.low < S::ZERO { -self } else { self }
     }
-    /// Where it may jump its slope is not known.
+    /// Its slope is unknown if it may jump.
     fn floor(self) -> Self {
         let value = Interval { low: self.value.low.floor(), high: self.value.high.floor() };
         let still = value.low == value.high;
         let slope = if still { Interval::point(S::ZERO) } else { Interval::everything() };
         Self { middle: self.middle.floor(), value, slope }
     }
-    /// Itself: what encloses it encloses zero with its derivatives where it is chosen as such.
+    /// Returns itself: it contains zero, with its derivatives, wherever it is chosen as zero.
     #[inline]
     fn as_zero(self) -> Self {
         self
@@ -261,7 +260,7 @@ impl<S: Real> Scalar for Enclosed<S> {
             must: self.value.high < other.value.low,
         }
     }
-    /// Where both may be, the choice may jump: its slope is not known.
+    /// If both may be chosen the value may jump: its slope is unknown then.
     fn select(mask: Outcome, a: Self, b: Self) -> Self {
         if mask.must {
             return a;
@@ -310,7 +309,7 @@ impl<S: Real> Scalar for Enclosed<S> {
     }
 }
 
-/// The part of an interval that is a sine.
+/// Part of an interval in which a number is a sine.
 fn within_one<S: Real>(x: Interval<S>) -> Interval<S> {
     let one = S::lit(1.0);
     Interval { low: x.low.max(-one).min(one), high: x.high.min(one).max(-one) }

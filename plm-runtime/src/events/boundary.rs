@@ -1,5 +1,5 @@
-//! Guards that are zero but for rounding where a run begins, or goes on after a change from outside: their rates decide the mode. Ends of
-//! steps are led to where a guard vanishes.
+//! Guards that are zero within rounding at the start of a run or after a change by the caller: their rates decide the mode. Also moves
+//! the ends of steps to zeros of guards.
 
 use super::history::Reached;
 use super::relevant::bit;
@@ -13,25 +13,25 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Beyond so many times its rounding no guard is zero, whatever its rate.
+/// A guard that is farther from zero than so many of its roundings is not zero, whatever its rate.
 const FAR: f64 = 1e6;
-/// Steps that are made again at most to end where a requirement does.
+/// Most repetitions of a step that has to end where a requirement is no longer satisfied.
 const MOST_AGAIN: u32 = 4;
 
-/// The end of a step is moved by this fraction of the step at most.
+/// Largest change of the end of a step, as a fraction of the step.
 const MOVED: f64 = 1e-3;
 
-/// Conditions on whose boundary the state is.
+/// Conditions whose boundaries the state is on.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Boundary {
-    /// Conditions whose sides have been decided, one bit each: rounding is not asked again.
+    /// Conditions whose sides have been decided, one bit each: their guards are not checked again.
     pub(super) decided: u64,
-    /// Those that have changed their sides.
+    /// Conditions that have changed their sides, one bit each.
     pub(super) switched: u64,
 }
 
-/// Decides the sides of the conditions on whose boundary the state is, of the first 64: where the rate leads. In a run that is
-/// under way only those are asked that seem to be beyond. A requirement that the rate leads away from is not met.
+/// Decides the sides of the conditions whose boundaries the state is on, of the first 64, by the direction of the rate. During a run only
+/// guards that are not positive are examined. A requirement that the rate leads away from is not satisfied.
 pub(super) fn decide<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     here: &M::G,
@@ -50,7 +50,7 @@ pub(super) fn decide<M: System<S: Real>>(
     let mut slopes = None;
     for i in (0..M::G::LEN).filter(|i| asked & bit(*i) != 0) {
         let size = here.at(i).abs();
-        // The time of an event is as exact as rounding leaves it: so far the state may have gone.
+        // The time of an event has rounding errors, in which the state may have gone on.
         let reach = |slope: M::S| noise.at(i) + ulps * slope.abs();
         let far = size > M::S::lit(FAR) * noise.at(i);
         if far || !noise.at(i).is_finite() {
@@ -74,7 +74,7 @@ pub(super) fn decide<M: System<S: Real>>(
         } else {
             let before = (context.held, context.x);
             context.system.switch(time, &mut context.held, &mut context.x, i)?;
-            // Where neither side leads away from the boundary, the value decides.
+            // If neither side leads away from the boundary, the value decides.
             if let Some(turned) = rates(context).filter(|turned| turned.at(i) > M::S::ZERO) {
                 boundary.decided |= bit(i);
                 boundary.switched |= bit(i);
@@ -87,7 +87,7 @@ pub(super) fn decide<M: System<S: Real>>(
     Ok(boundary)
 }
 
-/// One step that ends at a time within the interval at the latest.
+/// Makes one step that ends at a time within the interval at the latest.
 pub(super) fn advance_to<M: System<S: Real>, I: Method<M>>(
     method: &mut I,
     context: &mut Context<'_, M>,
@@ -99,8 +99,9 @@ pub(super) fn advance_to<M: System<S: Real>, I: Method<M>>(
     outcome
 }
 
-/// Makes a step again that ends where a requirement stops to hold, until its guard vanishes there but for rounding: the dense output
-/// by which it was located is less exact than a step, and from the state at which it ends a run may begin. Whether it has come there.
+/// Repeats a step so that it ends where a requirement is no longer satisfied, until its guard is zero there within rounding: the dense
+/// output that located the time is less accurate than a step, and a run may begin at the state reached. Returns false if a repeated step
+/// ends before that time.
 pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
     method: &mut I,
     context: &mut Context<'_, M>,
@@ -132,20 +133,20 @@ pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
     Ok(true)
 }
 
-/// What became of the end of a step that a guard has ended.
+/// Result of [`refine`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Refined {
-    /// It is where the guard vanishes, as far as a short way leads there.
+    /// The guard is zero at the end, as far as a short correction can achieve.
     Here,
-    /// It is too far from there for that: the step has to be made again.
+    /// The zero is too far away: the step has to be repeated.
     Far,
 }
 
-/// Moves the end of a step that a guard has ended to where that guard vanishes. The dense output by which the time was located is less
-/// exact than the step, by much where a row of contact comes slowly. The way is so short that the midpoint rule leads there.
+/// Moves the end of a step to the zero of the guard that has ended it. The dense output that located the time is less accurate than the
+/// step, by far if a contact row approaches slowly. The distance is so short that the midpoint rule suffices.
 ///
-/// The state is projected first: gaps that close at one moment because others are closed would do so one after the other by the drift of
-/// those, and a row that opens would keep its drift as a gap.
+/// The state is projected first: otherwise gaps that close at one moment because others are closed would close one after another by the
+/// drift of those, and a row that opens would keep its drift as a gap.
 pub(super) fn refine<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     start: M::S,
@@ -161,7 +162,7 @@ pub(super) fn refine<M: System<S: Real>>(
         return Ok(Refined::Here);
     };
     let ahead = -off / slopes.at(index);
-    // False for what is not a number.
+    // False for NaN.
     let is_near = ahead.abs() <= M::S::lit(MOVED) * (time - start);
     if !is_near {
         return Ok(Refined::Far);
@@ -179,12 +180,12 @@ pub(super) fn refine<M: System<S: Real>>(
     Ok(Refined::Here)
 }
 
-/// How fast each guard changes at the state, per second; none where there is no rate.
+/// Rate of change of each guard at the state, per second; `None` if there is no rate.
 pub(super) fn rates<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<M::G> {
     rates_of_both(context).map(|(_, slopes)| slopes)
 }
 
-/// How fast the state and each guard change.
+/// Rates of change of the state and of each guard.
 pub(super) fn rates_of_both<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<(M::X, M::G)> {
     let (time, x) = (context.time, context.x);
     let mut rate = x;
@@ -205,7 +206,7 @@ pub(super) fn rates_of_both<M: System<S: Real>>(context: &mut Context<'_, M>) ->
     if known {
         return Some((rate, slopes));
     }
-    // By a difference, where a system cannot say.
+    // By a difference quotient, if the system cannot enclose its guards.
     let h = M::S::EPSILON.sqrt() * (M::S::lit(1.0) + time.abs());
     let ahead = x.map2(&rate, |x, rate| x + h * rate);
     let guards = |t, x| guards(context.system, t, &context.held, x);

@@ -1,4 +1,4 @@
-//! Chattering: conditions that switch again and again within a short window.
+//! Chattering: conditions that switch repeatedly within a short window.
 
 use super::boundary::rates;
 use super::relevant::bit;
@@ -10,30 +10,30 @@ use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
 
-/// More switches than this within a short time are the end of a run.
+/// Most switches of conditions within a short time; more end the run.
 const MOST_SWITCHES: u32 = 100;
 /// That short time, as a fraction of the longest step so far, ...
 const SHORT: f64 = 1e-6;
-/// ... but not less than so many units in the last place of the time.
+/// ... and at least so many units in the last place of the time.
 const SHORT_ULPS: f64 = 1000.0;
-/// Switches of conditions that go no farther than so many times their rounding in between count however long they take, ...
+/// Switches of conditions whose guards stay within so many times their rounding in between also count, however long they take, ...
 const UNSEEN: f64 = 1e3;
-/// ... up to this fraction of the longest step, or of the interval where none has been longer.
+/// ... up to this fraction of the longest step, or of the time to the end of the interval if that is longer.
 const UNSEEN_FOR: f64 = 0.01;
 
-/// Flights accumulate where conditions have thrown the state back in so many such switches: only rounding lets the next one pass, and the run
-/// ends there.
+/// Number of such switches after which flights accumulate, if conditions have thrown the state back: only rounding lets the next one pass,
+/// and the run ends there.
 const FLIGHTS: u32 = 8;
 
-/// The window of the present chattering.
+/// Window of the present chattering.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chattering<S> {
-    /// When the window began, s, and its number of switches.
+    /// Beginning of the window, s, and its number of switches.
     pub(super) since: S,
     pub(super) count: u32,
-    /// The conditions that take part, one bit each, of the first 56.
+    /// Conditions that take part, one bit each, of the first 56.
     pub(super) conditions: u64,
-    /// The last of them threw its state back.
+    /// True if the last of them threw its state back.
     pub(super) has_thrown: bool,
 }
 
@@ -42,8 +42,8 @@ impl<S: Real> Chattering<S> {
         Self { since: S::ZERO, count: 0, conditions: 0, has_thrown: false }
     }
 
-    /// Counts switches of `conditions`, one bit each, of which some may have `thrown` the state back; too many in too short a time are a fault
-    /// of all that took part.
+    /// Counts switches of `conditions`, one bit each, some of which may have `thrown` the state back. Too many in too short a time are a
+    /// fault of all that took part.
     pub(super) fn count<M: System<S = S>>(
         &mut self,
         context: &mut Context<'_, M>,
@@ -55,7 +55,7 @@ impl<S: Real> Chattering<S> {
         let time = context.time;
         let short = (S::lit(SHORT) * *context.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
         let is_over = time - self.since > short && !self.is_unseen(context, conditions);
-        // One that is seen between others that are not, as the speed of a ball at the top of such a flight, is none of theirs.
+        // A switch above rounding between others below it, as of the speed of a ball at the top of such a flight, does not belong to them.
         if is_over && time > self.since && self.is_unseen(context, self.conditions) {
             return Ok(());
         }
@@ -77,8 +77,8 @@ impl<S: Real> Chattering<S> {
         let first = (0..M::G::LEN).find(|index| self.conditions & bit(*index) != 0).unwrap_or(0);
         Err(Fault::of_part(time.to_f64(), context.system.guard_name(first), cause))
     }
-    /// Has the guard of one of some conditions gone no farther since the window began than rounding, on the way to each switch? A ball at the
-    /// end of its bounces flies no higher than that, for a time in which nothing is short.
+    /// True if the guard of one of some conditions has moved no farther than rounding, since the window began, on the way to each switch. A
+    /// ball at the end of its bounces flies no higher than that, although the window may not be short.
     fn is_unseen<M: System<S = S>>(&self, context: &mut Context<'_, M>, conditions: u64) -> bool {
         let (time, x, elapsed) = (context.time, context.x, context.time - self.since);
         let longest = context.longest_step.max(context.end - self.since);

@@ -1,10 +1,10 @@
 //! Derivatives of the time of an event and of the state there.
 //!
-//! An event happens where its guard vanishes: t(p) with g(t(p), x(t(p), p), p) = 0, so that t' = -g' / (dg/dt), where g' are the derivatives
-//! at a fixed time. State and time go along the rate before the event by t'. What the event does to them and the rate after it are
-//! derived by running them, and the two together make the jump of the derivatives (M. A. Aizerman, F. R. Gantmakher, Determination of
-//! stability by linear approximation of a periodic solution of a system of differential equations with discontinuous right-hand sides,
-//! Q. J. Mech. Appl. Math. 11, 1958).
+//! An event occurs at the zero of its guard: t(p) with g(t(p), x(t(p), p), p) = 0, so that t' = -g' / (dg/dt), where g' are the derivatives
+//! at a fixed time. State and time move along the rate before the event by t'. The change at the event and the rate after it are evaluated
+//! with derivatives; together they give the jump of the derivatives (M. A. Aizerman, F. R. Gantmakher, Determination of stability by linear
+//! approximation of a periodic solution of a system of differential equations with discontinuous right-hand sides, Q. J. Mech. Appl. Math.
+//! 11, 1958).
 
 use super::boundary::rates_of_both;
 use super::guards;
@@ -15,32 +15,32 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Where slopes of guards are differences they have half of all digits: what is left behind one correction is made good by another.
+/// Corrections of the time: slopes of guards that are difference quotients have half of all digits, so that one is not enough.
 const CORRECTIONS: usize = 2;
-/// What a guard is, or changes by, is nothing up to so many times its rounding.
+/// A guard, or its change, counts as zero up to so many times its rounding.
 const MANY: f64 = 1e3;
-/// A guard that goes beyond its boundary by so many times its rounding at most touches it.
+/// A guard that goes beyond its boundary by at most so many times its rounding touches it.
 const GRAZE: f64 = 8.0;
-/// The bend of a guard is told by its slope a fraction of the step before.
+/// Distance before the end of a step, as a fraction of it, at which a second slope gives the second derivative of a guard.
 const BACK: f64 = 1e-3;
-/// Times of two events whose derivatives differ by less than this fraction are one.
+/// Relative difference of derivatives below which two event times are equal.
 const SAME: f64 = 1e-6;
 
-/// What happens at the time of an event, as derivatives tell.
+/// Result of [`derive_time`].
 pub(super) enum Timed<S> {
     /// This event, whose time has moved by so much.
     Event(usize, S),
-    /// Nothing, of numbers of one side: the guard is beyond its boundary by rounding, and goes on no farther than to this.
+    /// No event, for numbers with one-sided derivatives: the guard is beyond its boundary by rounding, and goes no farther than this value.
     Touch(S),
 }
 
-/// Gives the time reached, at which the event `index` ends a step of this length, and the state there the derivatives that they have
-/// because the event moves. Their values stay, to the bit. An event that another one causes at once has the time of that one. Numbers of
-/// one side have the event that is the first there of those at this time.
+/// Gives the time reached, at which the event `index` ends a step of this length, and the state there the derivatives that follow from the
+/// motion of the event. Their values stay, to the bit. An event that another one causes at once has the time of that one. Numbers with
+/// one-sided derivatives have the first event of those at this time.
 ///
 /// # Errors
-/// [`Cause::Grazes`] where the guard does not cross its boundary, and [`Cause::AtOnce`] where another event happens at this time whose time
-/// has other derivatives.
+/// [`Cause::Grazes`] if the guard does not cross its boundary, and [`Cause::AtOnce`] if another event happens at this time whose time has
+/// other derivatives.
 pub(super) fn derive_time<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     index: usize,
@@ -66,8 +66,8 @@ pub(super) fn derive_time<M: System<S: Real>>(
     Ok(Timed::Event(index, moved))
 }
 
-/// By how much the time moves at which an event ends a step of this length, for a step that is made again to there: its value is zero. None
-/// where there are no derivatives, and where [`derive_time`] has to decide.
+/// Change of the time at which an event ends a step of this length, for a repetition of the step: its value is zero, and it has
+/// derivatives. `None` for numbers without derivatives, and if [`derive_time`] has to decide.
 pub(super) fn moved_end<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     index: usize,
@@ -82,17 +82,17 @@ pub(super) fn moved_end<M: System<S: Real>>(
     }
 }
 
-/// The time that an event has.
+/// Time of an event.
 enum Time<S> {
-    /// That at which the guard of this event has come to its boundary, and how far ahead it is: by derivatives alone.
+    /// The time at which the guard of this event has come to its boundary, and its distance ahead, which has derivatives only.
     Own(usize, S),
-    /// That of another event, which moved the guard to its boundary.
+    /// The time of another event, which moved the guard to its boundary.
     OfAnother,
-    /// None: the guard keeps away from its boundary, but for so much rounding.
+    /// No time: the guard stays away from its boundary, apart from so much rounding.
     Never(S),
 }
 
-/// The time that the event `index` has, or that of the event which is to happen first.
+/// Time of the event `index`, or of the event that has to happen first.
 fn own_time<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     index: usize,
@@ -136,12 +136,12 @@ fn own_time<M: System<S: Real>>(
     Ok(own(first))
 }
 
-/// The time to where a guard vanishes: its value is zero, its derivatives are those of the time of the event.
+/// Time to the zero of a guard: its value is zero, its derivatives are those of the time of the event.
 fn time_to<S: Real, G: Vector<S>>(here: &G, slopes: &G, index: usize) -> S {
     -here.at(index).as_zero() / slopes.at(index)
 }
 
-/// Does a guard turn round before it is farther beyond its boundary than `noise`? A parabola goes as far as slope^2/(2 bend).
+/// True if a guard turns back before it is farther beyond its boundary than `noise`. A parabola reaches slope^2/(2 bend).
 fn grazes<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     (index, step): (usize, M::S),
@@ -157,7 +157,7 @@ fn grazes<M: System<S: Real>>(
     slope * slope <= M::S::lit(2.0) * bend * noise
 }
 
-/// Takes the state after an event along the rate there back by what its time was `moved`, where a step ends at a time that stays.
+/// Moves the state after an event back along the rate there by `moved`, the change of its time, since the step ends at a fixed time.
 pub(super) fn restore_time<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     moved: M::S,

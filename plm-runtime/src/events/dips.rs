@@ -1,6 +1,6 @@
-//! Rows of contact that have come to their sides where a step begins: a slip that forces have just begun, a gap that they open. Their
-//! guards are zero there and leave it slowly, as the square of the time. The dense output of an implicit step is off by its tolerance, and
-//! may go to the other side first. The rate at the beginning of the step knows better.
+//! Contact rows that have come to their sides at the beginning of a step: a slip that forces have just begun, a gap that they open. Their
+//! guards are zero there and leave zero slowly, as the square of the time. The dense output of an implicit step has an error of its
+//! tolerance, and may go to the other side first. The rate at the beginning of the step is more accurate.
 
 use super::boundary::rates;
 use super::history::Reached;
@@ -12,14 +12,14 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// A step is looked at from this part of it on, and at each double of that.
+/// First part of a step at which the guard is evaluated, and then at each double of it.
 const FIRST: f64 = 1.0 / 4_194_304.0;
-/// The rate at the beginning contradicts a dip where the guard would fall less than this fraction of it.
+/// The rate at the beginning contradicts a dip if the guard would fall by less than this fraction of its depth.
 const LESS: f64 = 0.125;
 
 impl<S: Real, G: Vector<S>> Detector<S, G> {
-    /// Does the dense output of a step alone say that a row of contact leaves its side as the step begins? It has come back by its end.
-    /// Then the guard is looked at from where it has.
+    /// True if the dense output of a step alone says that a contact row leaves its side at the beginning of the step, and if the row has
+    /// returned within the step. The search then begins at the end of that dip.
     pub(super) fn passes_dip<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
         method: &I,
@@ -52,7 +52,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
     }
 }
 
-/// How far a guard goes below zero first in the last step, which began at `start`, and when it has come back; none if it does not.
+/// Depth to which a guard first falls below zero in the last step, which began at `start`, and the time of its return; `None` if it does
+/// not.
 fn dip<M: System<S: Real>, I: Method<M>>(
     method: &I,
     context: &Context<'_, M>,

@@ -8,31 +8,32 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Question, System};
 use crate::vector::Vector;
 
-/// Which guards and kinks may change their sign in a step.
+/// Guards and kinks that may change sign in a step.
 #[derive(Clone, Copy)]
 pub(super) struct Enclosure {
-    /// All guards stay on their sides.
+    /// True if all relevant guards stay on their sides.
     pub(super) guards: bool,
-    /// The kinks that matter, given the same, one bit each; none if none of them may change its sign in the step.
+    /// Kinks that matter, one bit each, given the conditions that may change sides; none if none of them may change sign
+    /// in the step.
     pub(super) kinks: u128,
-    /// The conditions that matter, given which of them may change their sides in the step.
+    /// Conditions that matter, given those that may change sides in the step.
     pub(super) relevant: Relevant,
 }
 
 impl Enclosure {
-    /// Nothing is known: any condition may change its side.
+    /// Enclosure without information: any condition may change its side.
     pub(super) fn unknown<M: System>(system: &M, held: &M::U) -> Self {
         let kinks = Relevant::kinks(system, held, u64::MAX);
         Self { guards: false, kinks, relevant: Relevant::of(system, held, u64::MAX) }
     }
 
-    /// By the ranges of all of them over a step with this dense output.
+    /// Enclosure by the ranges of all guards and kinks over a step with this dense output.
     pub(super) fn over<M: System<S: Real>>(context: &Context<'_, M>, path: &Path<M::S, M::X>) -> Self {
         context.system.ask(&context.held, Over(path))
     }
 }
 
-/// Which guards and kinks may change their sign over a step?
+/// Asks for the guards and kinks that may change sign over a step.
 struct Over<'a, S, X>(&'a Path<S, X>);
 
 impl<S: Real, X: Vector<S>> Question<S> for Over<'_, S, X> {
@@ -46,7 +47,7 @@ impl<S: Real, X: Vector<S>> Question<S> for Over<'_, S, X> {
             (Enclosure { guards: true, kinks: 0, relevant: Relevant::ALL }, 0, 0);
         let known = system.guards_within(time, held, &x, &mut |i, guard: Enclosed<N::S>| {
             let range = guard.range(half);
-            // Comparisons with what is not a number are false.
+            // Comparisons with NaN are false.
             if i < N::G::LEN {
                 let stays = range.low >= -system.band(i);
                 enclosure.guards &= stays;

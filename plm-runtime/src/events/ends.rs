@@ -1,4 +1,4 @@
-//! Where a step is to end: at an event, at a kink, or where it does.
+//! End of a step: at an event, at a kink, or as proposed.
 
 use super::enclosure::Enclosure;
 use super::kinks::kink;
@@ -15,22 +15,22 @@ use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
 
-/// What a step ends with.
+/// Reason for the end of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Ends {
-    /// Nothing that switches.
+    /// No event: the whole step, or a part of it.
     Whole,
     /// This condition switches.
     Due(usize),
-    /// A kink, before which a condition may switch: the dense output that says so goes over the kink, and knows little of what is
-    /// before it.
+    /// A kink, before which a condition may switch: the dense output that says so goes over the kink, and is inaccurate before
+    /// it.
     BeforeKink,
-    /// A kink, just beyond it: derivatives are other ones from here on.
+    /// A point just beyond a kink: derivatives differ from here on.
     BeyondKink,
 }
 
 impl<S: Real, G: Vector<S>> Detector<S, G> {
-    /// Where the last step is to end, and why.
+    /// Reason and time of the end of the last step.
     pub(super) fn ends<M: System<S = S, G = G>, I: Method<M>>(
         &self,
         method: &mut I,
@@ -85,7 +85,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         })
     }
 
-    /// Searches the dense output of the last step: what became of the conditions, and when.
+    /// Searches the dense output of the last step for the first event, and its time.
     fn search<M: System<S = S, G = G>, I: Method<M>>(
         &self,
         method: &mut I,

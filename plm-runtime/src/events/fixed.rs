@@ -1,4 +1,4 @@
-//! Guards over fixed steps, which are not ended by an event: conditions that come and go within one are counted as missed.
+//! Guards over fixed steps, which events do not end: conditions that come and go within one are counted as missed.
 
 use super::relevant::{Relevant, bit};
 use super::search::{Found, Search};
@@ -12,7 +12,7 @@ use crate::system::{Step, System};
 use crate::vector::Vector;
 
 impl<S: Real, G: Vector<S>> Detector<S, G> {
-    /// Does a fixed step stay in the guard-free region that is known?
+    /// True if a fixed step stays in the known guard-free region.
     #[inline]
     pub(crate) fn excludes_events<M: System<S = S, G = G>>(
         &self,
@@ -23,7 +23,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             || history.beginning.as_ref().is_some_and(|centre| self.guard_free.holds(centre, step))
     }
 
-    /// Can no guard leave its side in steps of a method? There is none, or those of contact alone, which steps decide.
+    /// True if no guard can leave its side in steps of a method: there are none, or only those of contact, whose modes the
+    /// steps decide.
     #[inline]
     pub(crate) fn has_none<M: System<S = S, G = G>, I: Method<M>>(system: &M, held: &M::U) -> bool {
         let (rows, guards) = (system.contact_count(), system.guard_count());
@@ -31,7 +32,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         guards == 0 || are_of_contact && system.is_regular(held)
     }
 
-    /// The event at the end of a step: without dense output by its guards, unless the step stays in the guard-free region.
+    /// Event at the end of a step: without dense output it follows from the guards there, unless the step stays in the
+    /// guard-free region.
     #[inline]
     pub(crate) fn look_after<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
@@ -52,7 +54,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         Ok(Event::Behind { missed: self.missed(context, start) })
     }
 
-    /// The conditions that came and went within a step without dense output: the first of them, and how many.
+    /// Conditions that came and went within a step without dense output: one of them (that ends the run, or else the
+    /// first), and their number.
     #[cold]
     fn missed<M: System<S = S, G = G>>(
         &self,

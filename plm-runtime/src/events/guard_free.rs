@@ -10,27 +10,27 @@ use crate::scalar::Real;
 use crate::system::{Step, System};
 use crate::vector::Vector;
 
-/// How far states may go from where they are, over their sizes: at first, ...
+/// Reach of the region about its centre, relative to the sizes of states: at first, ...
 const FIRST: f64 = 1.0 / 16.0;
-/// ... where guards are far, ...
+/// ... at most, while guards are far, ...
 const WIDEST: f64 = 0.5;
-/// ... and where they are near; nearer ones are looked at in every step, ...
+/// ... and at least. If guards are nearer, they are evaluated in every step, ...
 const NARROWEST: f64 = 1.0 / 1024.0;
-/// ... so many times, and then this is tried again.
+/// ... so many times before this reach is tried again.
 const WAIT: u32 = 64;
-/// How long that lasts, in steps, over the reach: guards may depend on the time alone.
+/// Duration of the region in steps, for a reach of 1: guards may depend on time alone.
 const LASTING: f64 = 4096.0;
-/// Guards are enclosed a little farther than states may go, for what rounding makes of the difference.
+/// Factor of the reach within which guards are enclosed, for the rounding of the difference.
 const SLACK: f64 = 1.0 + 1.0 / 256.0;
 
-/// The size of the region and its end in time; its centre is with the history of a run ([`Beginning`]).
+/// Size of the region and its end in time; its centre is in the history of a run ([`Beginning`]).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GuardFree<S> {
-    /// How far from there states may go, over their sizes; where nothing is known, what is to be tried next.
+    /// Largest distance of states from the centre, relative to their sizes; without a region, the value to be tried next.
     reach: S,
-    /// Until when, s; always past where nothing is known.
+    /// End of the region, s; in the past without a region.
     until: S,
-    /// Steps until it is tried again.
+    /// Steps until a region is tried again.
     wait: u32,
 }
 
@@ -39,18 +39,18 @@ impl<S: Real> GuardFree<S> {
         Self { reach: S::lit(FIRST), until: -S::INFINITY, wait: 0 }
     }
 
-    /// Nothing is known.
+    /// Forgets the region.
     pub(super) fn forget(&mut self) {
         self.until = -S::INFINITY;
     }
 
-    /// Does a step that begins there stay there, around `centre`?
+    /// True if a step that begins in the region around `centre` stays in it.
     #[inline]
     pub(super) fn holds<M: System<S = S>>(&self, centre: &Beginning<M>, step: &Step<'_, M>) -> bool {
         step.to.0 <= self.until && *step.held == centre.held && self.encloses(centre, step)
     }
 
-    /// Finds out around the end of a step, of which nothing is known yet; whether the whole step is there.
+    /// Determines the region around the end of a step, if there is one. Returns true if the whole step is in it.
     #[cold]
     pub(super) fn renew<M: System<S = S>>(
         &mut self,
@@ -78,13 +78,13 @@ impl<S: Real> GuardFree<S> {
         guard_free
     }
 
-    /// Is the path of a step within reach, that begins there?
+    /// True if the path of a step that begins within reach stays within reach.
     #[inline]
     fn encloses<M: System<S = S>>(&self, centre: &Beginning<M>, step: &Step<'_, M>) -> bool {
         let within = |i, x| self.reaches(step.system, centre, (i, x));
         let (coordinates, states) = (step.system.coordinates(), step.system.states());
         if states < M::X::LEN {
-            // What there is only room for is zero, at the centre too.
+            // Components that there is only room for are zero, at the centre too.
             let first_order = 2 * M::NQ..2 * M::NQ + states - 2 * coordinates;
             let all = [0..coordinates, M::NQ..M::NQ + coordinates, first_order];
             return Path::between_stays(step.from, step.to, (M::NQ, coordinates, all), within);
@@ -92,14 +92,14 @@ impl<S: Real> GuardFree<S> {
         Path::between_stays(step.from, step.to, (M::NQ, M::NQ, [0..M::X::LEN, 0..0, 0..0]), within)
     }
 
-    /// Is a value of a component within reach? False for what is not a number.
+    /// True if a value of a component is within reach; false for NaN.
     #[inline]
     fn reaches<M: System<S = S>>(&self, system: &M, centre: &Beginning<M>, (i, x): (usize, S)) -> bool {
         let middle = centre.x.at(i);
         (x - middle).abs() <= self.reach * (system.typical_at(i) + middle.abs())
     }
 
-    /// Do all guards stay on their sides within reach?
+    /// True if all guards stay on their sides within reach.
     fn excludes_events<M: System<S = S>>(&self, system: &M, centre: &Beginning<M>) -> bool {
         let enclosure = |middle, value| Enclosed { middle, value, slope: Interval::point(S::ZERO) };
         let (typical, reach) = (system.typical(), S::lit(SLACK) * self.reach);
@@ -112,7 +112,7 @@ impl<S: Real> GuardFree<S> {
         let mut guard_free = true;
         let known = system.guards_within(time, &centre.held, &around, &mut |i, guard: Enclosed<S>| {
             if i < M::G::LEN {
-                // Slopes are those of what does not move: ranges alone tell something.
+                // Slopes are those of constants: only the ranges have a meaning.
                 guard_free &= guard.value.low >= -system.band(i) && guard.value.high < S::INFINITY;
             }
         });

@@ -1,4 +1,4 @@
-//! The guards at a state.
+//! Guards at a state.
 
 use core::marker::PhantomData;
 
@@ -8,7 +8,7 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Question, System, value, values};
 use crate::vector::Vector;
 
-/// What are the guards at a time and a state?
+/// Asks for the guards at a time and a state.
 struct At<'a, S, X, G>(S, &'a X, PhantomData<G>);
 
 impl<S: Real, X: Vector<S>, G: Vector<S>> Question<S> for At<'_, S, X, G> {
@@ -20,7 +20,7 @@ impl<S: Real, X: Vector<S>, G: Vector<S>> Question<S> for At<'_, S, X, G> {
     }
 }
 
-/// The guards at the state reached, as values.
+/// Guards at the state reached, as values; a fault if one of them is not finite.
 pub(super) fn guards_here<M: System<S: Real>>(context: &Context<'_, M>) -> Result<M::G, Fault> {
     let g: M::G = context.system.ask(&context.held, At(context.time, &context.x, PhantomData));
     if g.is_finite() {
@@ -30,7 +30,7 @@ pub(super) fn guards_here<M: System<S: Real>>(context: &Context<'_, M>) -> Resul
     Err(Fault::of_part(context.time.to_f64(), context.system.guard_name(index), Cause::NotFinite))
 }
 
-/// The guards of a state.
+/// Guards of a state.
 pub(super) fn guards<M: System>(system: &M, t: M::S, u: &M::U, x: &M::X) -> M::G {
     let mut g = M::G::fill(M::S::lit(0.0));
     system.guards(t, u, x, &mut g);

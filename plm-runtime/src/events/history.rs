@@ -1,4 +1,4 @@
-//! History of the last step, and counts of the states that limited steps.
+//! History of the last step, and counters of the states that limited steps.
 
 use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
@@ -8,7 +8,7 @@ use crate::vector::Vector;
 /// The beginning of a step.
 #[derive(Clone, Copy)]
 pub(crate) struct Beginning<M: System> {
-    /// s.
+    /// Time, s.
     pub(crate) time: M::S,
     pub(crate) held: M::U,
     pub(crate) x: M::X,
@@ -21,7 +21,7 @@ impl<M: System> Beginning<M> {
     }
 }
 
-/// A method and the state from which it goes on, to come back to.
+/// A method and the state from which it continues, stored for a return to them.
 pub(super) struct Reached<M: System, I> {
     pub(super) method: I,
     pub(super) state: Beginning<M>,
@@ -32,7 +32,7 @@ impl<M: System, I: Copy> Reached<M, I> {
         Self { method: *method, state: Beginning::of(context) }
     }
 
-    /// Goes back there. Field by field: without optimisation a tuple of them would be a second copy of the method on the stack.
+    /// Returns to them. Field by field: without optimisation a tuple would be a second copy of the method on the stack.
     pub(super) fn restore(&self, method: &mut I, context: &mut Context<'_, M>) {
         *method = self.method;
         context.time = self.state.time;
@@ -44,10 +44,10 @@ impl<M: System, I: Copy> Reached<M, I> {
 /// History of a run.
 #[derive(Clone, Copy)]
 pub(crate) struct History<M: System> {
-    /// Where the last step of a method with dense output began; nothing is known of it after a change from outside. With steps
-    /// of fixed length, a state around which no guard can come to zero (`events::guard_free`).
+    /// Beginning of the last step of a method with dense output; `None` after a change by the caller. With steps of fixed
+    /// length, the centre of the guard-free region (`events::guard_free`).
     pub(crate) beginning: Option<Beginning<M>>,
-    /// How many steps each state has limited, where they are counted.
+    /// Number of steps that each state has limited, if they are counted.
     pub(crate) counts: Option<M::X>,
 }
 
@@ -56,7 +56,7 @@ impl<M: System<S: Real>> History<M> {
         Self { beginning: None, counts: None }
     }
 
-    /// A method has made a step.
+    /// Records a step that a method has made.
     #[inline]
     pub(crate) fn see<I: Method<M>>(
         &mut self,

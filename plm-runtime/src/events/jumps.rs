@@ -1,4 +1,4 @@
-//! Where constraint rows would have to jump, and where a pole or the end of a domain is met.
+//! Jumps of constraint rows, poles, and ends of domains.
 
 use super::boundary::rates;
 use super::violated::required;
@@ -9,10 +9,10 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// A step that came to nothing this near before a pole or the end of a domain, in s and as a part of the time, came to nothing there.
+/// Time, in s and as a part of the time, before a pole or the end of a domain within which a failed step is attributed to it.
 const SOON: f64 = 1e-6;
 
-/// Goes on with the sides of `after`, unless constraint rows would have to jump.
+/// Continues with the sides of `after`, unless constraint rows would have to jump.
 pub(crate) fn hold<M: System<S: Real>>(context: &mut Context<'_, M>, after: M::U) -> Result<(), Fault> {
     if let Some(fault) = context.system.jump(context.time, &context.held, &context.x, Some(&after)) {
         return Err(fault);
@@ -21,7 +21,7 @@ pub(crate) fn hold<M: System<S: Real>>(context: &mut Context<'_, M>, after: M::U
     Ok(())
 }
 
-/// The fault of a step that came to nothing, or of what jumps there: joints that would have to jump come apart.
+/// Fault of a failed step, or that of a jump or of an end there: joints that would have to jump come apart.
 #[cold]
 pub(crate) fn at_a_jump<M: System<S: Real>>(context: &mut Context<'_, M>, fault: Fault) -> Fault {
     match fault.cause {
@@ -38,7 +38,7 @@ pub(crate) fn at_a_jump<M: System<S: Real>>(context: &mut Context<'_, M>, fault:
     }
 }
 
-/// The fault of a pole, or of the end of a domain, that the state would come to at once.
+/// Fault of a pole, or of the end of a domain, that the state would reach at once.
 fn end_ahead<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<Fault> {
     let ends = |i: &usize| context.system.end(*i).is_some() && context.system.matters(&context.held, *i, 0);
     let first = (0..M::G::LEN).find(ends)?;
@@ -49,7 +49,7 @@ fn end_ahead<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<Fault> 
     required(context, index).err()
 }
 
-/// A step that has led over a jump of rows is not projected: what is off the rows there is the jump, and no drift.
+/// Refuses to project a step that has crossed a jump of rows: its distance from the rows is the jump, and no drift.
 pub(crate) fn before_projection<M: System<S: Real>>(
     context: &Context<'_, M>,
     t: M::S,

@@ -1,9 +1,9 @@
-//! Where the rate bends: knots of tables, `abs`, `min`, `max`.
+//! Kinks of the rate: knots of tables, `abs`, `min`, `max`.
 //!
-//! Error control sees most kinks, and is blind for those that come and go between its stages: a step over a narrow hat in a
-//! table goes as if there were none. So signs are followed over the step, as guards are, though not as far; where they
-//! change, the dense output is held against the rate. It fits where the kink is smaller than the tolerance; where it does
-//! not, the step ends at the kink.
+//! Error control detects most kinks, but none that comes and goes between its stages: a step over a narrow peak of a table
+//! proceeds as if there were none. Therefore signs are followed over the step, as those of guards, though not as finely; if they
+//! change, the dense output is compared with the rate. It agrees if the kink is smaller than the tolerance; otherwise the step
+//! ends at the kink.
 
 use super::LEAST_ULPS;
 use super::root::{Point, root};
@@ -14,25 +14,26 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{System, value};
 use crate::vector::Vector;
 
-/// Halvings of a step.
+/// Most halvings of a step.
 const FINEST: u32 = 12;
-/// Intervals of a step that are looked at.
+/// Most intervals of a step that are examined.
 const MOST: u32 = 64;
-/// Kinks that are followed in a step.
+/// Most kinks that are followed in a step.
 const FOLLOWED: usize = 8;
-/// The part of a step after a kink where its sign has changed, and nothing else yet: signs are taken so far after the
-/// beginning of a step too, which may be a kink.
+/// Part of a step after a kink, at the end of which its sign has changed, and nothing else yet. Signs are also evaluated so far
+/// after the beginning of a step, which may be a kink.
 const BESIDE: f64 = 1e-9;
-/// That part in units in the last place, at least.
+/// Least size of that part, in units in the last place.
 const BESIDE_ULPS: f64 = 64.0;
-/// A kink matters if what it adds to the error of a step is more than so many tolerances: the derivative of the dense
-/// output is some times less exact than the step itself.
+/// A kink matters if its contribution to the error of a step is more than so many tolerances: the derivative of the dense output
+/// is several times less accurate than the step itself.
 const MATTERS: f64 = 1.0;
 
-/// The time of the first kink in the last step that is not smaller than the tolerance; after a time at which a condition seems to
-/// switch, of any kink: a guard that stays on its boundary up to the kink may leave it in the dense output by less.
+/// Time of the first kink in the last step that is not smaller than the tolerance. If a condition seems to switch at `crossing`,
+/// before all kinks, it is the first kink of any size: a guard that stays on its boundary up to the kink may leave it in the
+/// dense output by less.
 ///
-/// The rough output of the step tells whether there is one at all, so that steps without kinks need no more evaluations.
+/// The rough output of the step tells if there is any kink, so that steps without kinks need no more evaluations.
 pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
     method: &mut I,
     context: &mut Context<'_, M>,
@@ -45,7 +46,7 @@ pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
         return Ok(None);
     };
     let (system, held) = (context.system, context.held);
-    // Where there are guards, the dense output is known.
+    // If there are guards, the dense output is known.
     let path = if context.system.guard_count() > 0 {
         path
     } else {
@@ -57,7 +58,7 @@ pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
         path
     };
     let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(context.end.abs());
-    // Steps are cut by values, as their lengths are.
+    // Steps are divided by values, since their lengths are values.
     let time = |theta: M::S| Some(path.time(value(theta))).filter(|time| *time - start > least);
     let kinks = Kinks { system, held, path, relevant };
     if let Some(crossing) = crossing
@@ -75,22 +76,22 @@ pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
     Ok(theta.and_then(time))
 }
 
-/// The kinks over a step.
+/// Kinks over a step.
 pub(super) struct Kinks<'a, M: System> {
     pub(super) system: &'a M,
     pub(super) held: M::U,
     pub(super) path: Path<M::S, M::X>,
-    /// Those that are looked at, one bit each.
+    /// Kinks that are examined, one bit each.
     pub(super) relevant: u128,
 }
 
 impl<M: System<S: Real>> Kinks<'_, M> {
-    /// The first fraction of the step at which a sign changes.
+    /// First fraction of the step at which a sign changes.
     fn first(&self) -> Option<M::S> {
         self.after(beside()).map(|(theta, _)| theta)
     }
 
-    /// The first kink that matters, by the error of the dense output beyond it in units of `tolerance`; `rate` is the rate.
+    /// First kink that matters, by the error of the dense output beyond it in units of `tolerance`; `rate` evaluates the rate.
     fn first_that_matters(
         &self,
         tolerance: M::S,
@@ -101,7 +102,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         let (mut from, mut sum) = (first, M::S::ZERO);
         for _ in 0..FOLLOWED {
             let next = self.after(behind).unwrap_or((one, one));
-            // By Simpson's rule from kink to kink; at the first the dense output still fits.
+            // Simpson's rule from kink to kink; at the first the dense output still fits.
             let (to, middle) = (next.0, half * (from + next.0));
             let part = (to - from) * M::S::lit(1.0 / 6.0);
             let fourfold = M::S::lit(4.0) * self.defect(middle, &mut rate)?;
@@ -117,7 +118,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         None
     }
 
-    /// How far the dense output is from the rate, times the step, over the sizes of the state: the largest component.
+    /// Difference of the dense output's slope from the rate, times the step, over the sizes of the state: the largest component.
     fn defect(&self, theta: M::S, rate: &mut impl FnMut(M::S, &M::X) -> Option<M::X>) -> Option<M::S> {
         let (x, typical) = (self.path.at(theta), self.system.typical());
         let rate = rate(self.path.time(theta), &x)?;
@@ -130,12 +131,12 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         Some(most)
     }
 
-    /// The first fraction of the step after another at which a sign changes, and one shortly after it.
+    /// First fraction of the step after `begin` at which a sign changes, and a fraction shortly after it.
     fn after(&self, begin: M::S) -> Option<(M::S, M::S)> {
         self.found(begin).map(|(first, _)| (first, first + beside()))
     }
 
-    /// The first fraction of the step after another at which a sign changes, and which.
+    /// First fraction of the step after `begin` at which a sign changes, and the kink.
     pub(super) fn found(&self, begin: M::S) -> Option<(M::S, usize)> {
         let half = M::S::lit(0.5);
         let positive = self.signs(begin);
@@ -166,7 +167,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         }
     }
 
-    /// Can a sign change more than once in an interval?
+    /// True if a sign may change more than once in an interval.
     fn open(&self, from: M::S, to: M::S, positive: u128, changed: u128) -> bool {
         let half = M::S::lit(0.5);
         let (middle, radius) = (half * (from + to), half * (to - from));
@@ -184,7 +185,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         open || !known
     }
 
-    /// The earliest change of those that have changed over an interval.
+    /// Earliest change of the signs that have `changed` over an interval.
     fn crossing(&self, from: M::S, to: M::S, changed: u128) -> (M::S, usize) {
         let tolerance = M::S::EPSILON * M::S::lit(16.0);
         let mut first = (to, changed.trailing_zeros() as usize);
@@ -200,7 +201,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         first
     }
 
-    /// One of the numbers.
+    /// Value of one kink.
     fn value(&self, theta: M::S, index: usize) -> M::S {
         let mut found = M::S::ZERO;
         self.system.kinks(self.path.time(theta), &self.held, &self.path.at(theta), &mut |i, value| {
@@ -211,7 +212,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         found
     }
 
-    /// Which numbers are positive, of the first 128.
+    /// Kinks that are positive, of the first 128, one bit each.
     fn signs(&self, theta: M::S) -> u128 {
         let mut signs = 0;
         self.system.kinks(self.path.time(theta), &self.held, &self.path.at(theta), &mut |i, value| {
@@ -223,12 +224,12 @@ impl<M: System<S: Real>> Kinks<'_, M> {
     }
 }
 
-/// How far after a kink its sign is taken, as a part of the step.
+/// Distance after a kink at which its sign is evaluated, as a part of the step.
 fn beside<S: Real>() -> S {
     S::lit(BESIDE).max(S::lit(BESIDE_ULPS) * S::EPSILON)
 }
 
-/// The bit of a kink; those after the first 128 are left to error control.
+/// Bit of a kink; kinks after the first 128 are left to error control.
 pub(super) fn bit(index: usize) -> Option<u128> {
     u32::try_from(index).ok().and_then(|index| 1_u128.checked_shl(index))
 }

@@ -1,11 +1,11 @@
-//! Event detection: where conditions change their modes, and how often they may.
+//! Event detection: finds the changes of modes of conditions, and limits their number in a short time.
 //!
-//! The discrete state holds the mode of every condition during a step, so that the rate is smooth. A guard is positive as long as the
-//! mode of its condition applies. The detector finds the first guard that passes zero on the dense output, makes the step again to end
-//! exactly there, and the event is committed: another mode, and another state where the event resets it.
+//! The discrete state contains the mode of every condition and is constant during a step, so that the rate is smooth. A guard is
+//! positive while the mode of its condition applies. The detector finds the first guard that passes zero on the dense output, repeats
+//! the step so that it ends exactly there, and commits the event: another mode, and another state if the event resets it.
 //!
-//! The step is made again because the next one starts from its end: that has the accuracy of every other step and satisfies the
-//! constraints, while the dense output is of lower order and violates them.
+//! The step is repeated because the next one starts from its end: the repeated step has the accuracy of every other step and satisfies
+//! the constraints, while the dense output is of lower order and violates them.
 
 mod boundary;
 mod chattering;
@@ -57,7 +57,7 @@ use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
 
-/// A step of so many units in the last place of the time is none.
+/// Longest step, in units in the last place of the time, that counts as none.
 const LEAST_ULPS: f64 = 32.0;
 
 /// The event at the end of a step.
@@ -65,40 +65,40 @@ const LEAST_ULPS: f64 = 32.0;
 pub(crate) enum Event {
     /// No condition is triggered.
     None,
-    /// This condition is triggered, where the detector has ended the step.
+    /// This condition is triggered; the detector has ended the step there.
     At(usize),
-    /// The step was not ended by the detector: conditions whose guards are violated at its end switch there. Others were `missed`:
-    /// they came and went within it; the first of them, and how many.
+    /// The detector has not ended the step: conditions whose guards are violated at its end switch there. Others were `missed`: they
+    /// came and went within the step.
     Behind {
-        /// A condition, by its index, and a count.
+        /// One of them, by its index, and their number.
         missed: Option<(usize, u64)>,
     },
 }
 
-/// Whether the modes in the discrete state are those of the state.
+/// Agreement of the modes in the discrete state with the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Modes {
-    /// Nothing has been done yet: a condition on its boundary begins in the mode that the motion goes to.
+    /// Nothing has been decided yet: a condition on its boundary begins in the mode that the motion leads to.
     New,
-    /// They were decided at the start, and no step has been made.
+    /// The modes were decided at the start, and no step has been made.
     Decided,
-    /// State, parameters or inputs may have been changed since.
+    /// State, parameters or inputs may have changed since.
     Unknown,
-    /// They are those of the state.
+    /// The modes are those of the state.
     Known,
 }
 
-/// The event detector: what is known of the guards between two steps.
+/// Event detector, with the data about guards that is stored between two steps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Detector<S, G> {
     modes: Modes,
-    /// How far each is on the wrong side because it was switched a little before its time; zero for most.
+    /// Residual of each guard: the value by which it was violated when its event was committed; zero for most.
     residual: G,
-    /// Where guards need no look, with steps of fixed length.
+    /// Guard-free region, for steps of fixed length.
     guard_free: GuardFree<S>,
-    /// Switches in a short time.
+    /// Counter of switches in a short time.
     chattering: Chattering<S>,
-    /// The last step of numbers with derivatives has gone over a kink.
+    /// True if the last step of numbers with derivatives has crossed a kink.
     has_passed: bool,
 }
 
@@ -113,7 +113,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         }
     }
 
-    /// State, parameters or inputs may have been changed.
+    /// Records that state, parameters or inputs may have changed.
     pub(crate) fn forget(&mut self) {
         self.modes = match self.modes {
             Modes::New | Modes::Decided => Modes::New,
@@ -123,7 +123,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         self.residual = G::fill(S::ZERO);
     }
 
-    /// Makes sure that the sides held are those that apply.
+    /// Makes the sides in the discrete state agree with the state.
     #[inline]
     pub(crate) fn begin<M: System<S = S, G = G>>(
         &mut self,
@@ -152,13 +152,13 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         Ok(())
     }
 
-    /// Are the sides held those that apply?
+    /// True if the sides in the discrete state are those that apply.
     #[inline]
     pub(crate) fn is_known(&self) -> bool {
         G::LEN == 0 || matches!(self.modes, Modes::Decided | Modes::Known)
     }
 
-    /// A step as the method proposes it; with dense output it ends where the first condition leaves its side.
+    /// Makes a step as the method proposes it; with dense output it ends where the first condition leaves its side.
     #[inline]
     pub(crate) fn step<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
@@ -172,8 +172,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         Ok(self.located(method, context)?.map_or(Event::None, Event::At))
     }
 
-    /// The condition that ends the step where there are guards. A function of its own, so that a build without optimisation copies the
-    /// method for those alone.
+    /// The condition that ends the step, if any. A separate function, so that a build without optimisation copies the method only for
+    /// systems with guards.
     #[inline]
     fn located<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
@@ -187,7 +187,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         let start = before.state.time;
         method.advance(context)?;
         self.guard_free.forget();
-        // What would end a step so early that it hardly moves the time happens at once.
+        // An event that would end a step so early that time hardly advances happens at once.
         let least = S::lit(LEAST_ULPS) * S::EPSILON * start.abs().max(context.end.abs());
         let mut beyond_kinks = false;
         loop {
@@ -209,14 +209,14 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             context.stats.rejected += 1;
             before.restore(method, context);
             let is_at_once = time - start <= least;
-            // What happens at once needs no step, unless the state leads away first: then the shortest one ends after it.
+            // An event at once needs no step, unless the state leads away from it first: then the shortest step ends after it.
             let stood = |index| (index, self.residual.at(index));
             if is_at_once && !due.is_some_and(|index| leads_away(context, stood(index))) {
                 return Ok(due);
             }
             let time = if is_at_once { (start + least + least).min(context.end) } else { time };
             advance_to(method, context, time)?;
-            // The state at an event moves as the formula of the step does, not as its rate.
+            // The state at an event moves with the formula of the step, not with its rate.
             let at_end = due.filter(|_| context.time >= time);
             if let Some(moved) = at_end.and_then(|index| moved_end(context, index, time - start)) {
                 context.stats.steps -= 1;
@@ -225,7 +225,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             }
             self.has_passed = ends == Ends::BeyondKink;
             if ends != Ends::BeforeKink {
-                // A shorter step that is rejected all the same has not come as far: the next one will find the crossing again.
+                // A shorter step that is rejected nevertheless has not come as far: the next one will find the crossing again.
                 let mut due = due.filter(|_| context.time >= time);
                 due = due.filter(|index| !(is_at_once && leads_away(context, stood(*index))));
                 if let Some(index) = due.filter(|index| context.system.must_hold(*index)) {
@@ -245,8 +245,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         }
     }
 
-    /// Holds the other side of the condition that is due; without dense output of all that are past their
-    /// guards, after a step of the length `step`.
+    /// Commits the event of the condition that is due; without dense output, those of all conditions whose guards are violated, after
+    /// a step of the length `step`.
     #[inline]
     pub(crate) fn switch<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
@@ -272,7 +272,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         if changed != 0 {
             self.residual = G::from_fn(|i| if changed & bit(i) == 0 { self.residual.at(i) } else { S::ZERO });
         }
-        // One that does not matter here has switched with the others.
+        // A condition that does not matter here has switched with the others.
         let Event::At(index) = event else { return Ok(()) };
         if changed & bit(index) != 0 {
             return Ok(());
@@ -287,7 +287,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         };
         required(context, index)?;
         let thrown = switch_there_and_back(context, index)?;
-        // The end of an interval stays where it is.
+        // The end of an interval is fixed.
         if context.time >= context.end {
             restore_time(context, moved)?;
         }
@@ -299,7 +299,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         self.chattering.count(context, bit(index), switched)
     }
 
-    /// The state reached has these guards.
+    /// Records that the state reached has these guards.
     fn arrive(&mut self, guards: G) {
         self.modes = Modes::Known;
         self.release(&guards);
@@ -310,8 +310,8 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         self.residual = self.residual.map2(guards, |left, g| if g < S::ZERO { left } else { S::ZERO });
     }
 
-    /// Switches what is past its guard at the current state, where a step led; else a change from outside did, and what is on the
-    /// boundary is decided.
+    /// Commits the events of violated guards at the current state: after a step, or with a `boundary` after a change by the caller, in
+    /// which the sides at boundaries have been decided.
     fn switch_due<M: System<S = S, G = G>>(
         &mut self,
         method: &mut impl Method<M>,

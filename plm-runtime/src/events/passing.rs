@@ -1,9 +1,9 @@
-//! Kinks on the way of numbers with derivatives.
+//! Kinks in steps of numbers with derivatives.
 //!
-//! Derivatives of the rate jump at a kink, where the rate itself does not: a step over it, whose stages stand on both sides, has values that
-//! its error control has seen to, and derivatives that are off by the length of the step. So steps end there, where the values would not
-//! ask for it. A step to the kink itself would not do: stages at its end are less exact than its end, and some would stand beyond. Steps
-//! come nearer to it, each by so much that its stages stay on their side, and one that is next to nothing goes over it.
+//! At a kink the derivatives of the rate jump, but not the rate itself. A step over it, with stages on both sides, has values that its
+//! error control has checked, and derivatives that are off by the length of the step. Therefore steps end at kinks, even if the values do
+//! not require it. A step to the kink itself would not suffice: stages are less accurate than its end, and some would lie beyond. Steps
+//! approach the kink, each so far that its stages stay on their side, and a very short one crosses it.
 
 use super::kinks::{Kinks, bit};
 use super::rounding::ULPS;
@@ -14,25 +14,25 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Question, System, value};
 use crate::vector::Vector;
 
-/// Of the way to a kink a step leaves so much where it is long, ...
+/// Part of the distance to a kink that a step leaves if the distance is long, ...
 const LEFT_BY_LONG: f64 = 1.0 / 16.0;
-/// ... and so much where it is short: the stages of a step are off by a power of its length.
+/// ... and if it is short: the error of the stages of a step is a power of its length.
 const LEFT_BY_SHORT: f64 = 1.0 / 1024.0;
-/// Ways of a smaller part of the step that was proposed are short.
+/// Distances below this part of the proposed step are short.
 const SHORT: f64 = 1.0 / 64.0;
-/// Of that step the last one before a kink leaves so much, and the one over it goes so far beyond, ...
+/// Part of the proposed step that the last step before a kink leaves, and by which the step over it goes beyond, ...
 const BESIDE: f64 = 1.0 / (1_u64 << 34) as f64;
-/// ... which are so many times what is no step at least.
+/// ... at least so many times the longest step that counts as none.
 const STEPS: f64 = 2.0;
-/// After a kink a number is beyond zero by so many times its rounding.
+/// Least distance of a kink function from zero after the crossing, in its roundings.
 const BEYOND: f64 = 4.0;
 
-/// Where a step ends because of a kink, as a fraction of it.
+/// End of a step because of a kink, as a fraction of the step or as a time.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Pass<S> {
-    /// Before it.
+    /// Before the kink.
     To(S),
-    /// Just beyond it.
+    /// Just beyond the kink.
     Over(S),
 }
 
@@ -44,8 +44,7 @@ impl<S> Pass<S> {
     }
 }
 
-/// Where the last step, which was proposed, is to end because of the first kink on its way; none where it may go on. What is not longer
-/// than `least`, s, is no step.
+/// Time at which the last step, as proposed, has to end because of its first kink; `None` if it need not. A step is longer than `least`, s.
 pub(super) fn pass<M: System<S: Real>, I: Method<M>>(
     method: &mut I,
     context: &mut Context<'_, M>,
@@ -62,10 +61,10 @@ pub(super) fn pass<M: System<S: Real>, I: Method<M>>(
     }))
 }
 
-/// Asks for the first kink over a step.
+/// Asks for the end of a step because of its first kink.
 struct OnTheWay<'a, S, X> {
     path: &'a Path<S, X>,
-    /// Those that are looked at, one bit each.
+    /// Kinks that are examined, one bit each.
     relevant: u128,
     least: S,
 }
@@ -84,11 +83,11 @@ impl<S: Real, X: Vector<S>> Question<S> for OnTheWay<'_, S, X> {
 }
 
 impl<M: System<S: Real>> Kinks<'_, M> {
-    /// Where the step is to end because of the first kink, as a fraction of it; so much of it is next to nothing.
+    /// End of the step because of the first kink, as a fraction of it; `nothing` is a negligible part of it.
     fn pass(mut self, nothing: M::S) -> Option<Pass<M::S>> {
         let one = M::S::lit(1.0);
         let [at_start, at_end] = [M::S::ZERO, one].map(|theta| self.near(theta) & self.relevant);
-        // What rests on a kink does not pass it.
+        // A kink function that stays at zero is not crossed.
         let leaves = at_start & !at_end;
         if leaves != 0 {
             return self.over((M::S::ZERO, nothing), leaves.trailing_zeros() as usize);
@@ -102,7 +101,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         Some(Pass::To(theta * M::S::lit(1.0 - left)))
     }
 
-    /// The end of a step over a kink that is next to its beginning.
+    /// End of a step over a kink that is near its beginning.
     fn over(&self, (theta, mut beyond): (M::S, M::S), index: usize) -> Option<Pass<M::S>> {
         while theta + beyond < M::S::lit(1.0) {
             let end = theta + beyond;
@@ -115,7 +114,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         None
     }
 
-    /// Which numbers are zero but for rounding.
+    /// Kinks that are zero within rounding, one bit each.
     fn near(&self, theta: M::S) -> u128 {
         let mut near = 0;
         self.rounded(theta, |i, value, noise| {
@@ -124,7 +123,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         near
     }
 
-    /// One of the numbers, and what rounding makes of it.
+    /// Value of one kink, and its error by rounding.
     fn with_rounding(&self, theta: M::S, index: usize) -> (M::S, M::S) {
         let mut found = (M::S::ZERO, M::S::ZERO);
         self.rounded(theta, |i, value, noise| {
@@ -135,7 +134,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         found
     }
 
-    /// Gives every number, and what rounding of the state and of the time makes of it.
+    /// Gives every kink, and its error by rounding of the state and of the time.
     fn rounded(&self, theta: M::S, mut each: impl FnMut(usize, M::S, M::S)) {
         let (time, x, typical) = (self.path.time(theta), self.path.at(theta), self.system.typical());
         let ulps = M::S::lit(ULPS) * M::S::EPSILON;

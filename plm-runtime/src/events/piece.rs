@@ -1,4 +1,4 @@
-//! An interval of a step: what its enclosures and its values tell of the guards.
+//! An interval of a step: verdict on the guards, by their enclosures and by values.
 
 use super::quartic::{Curve, Near, VALUES, curve};
 use super::relevant::bit;
@@ -9,47 +9,47 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Halvings after which guards that stay open are looked at by their values.
+/// Halvings after which guards that are still open are judged by their values.
 const BY_VALUES: u32 = 3;
-/// Such a guard bends in the whole step by at most so many times the size of its terms, so that nothing hides between values, ...
+/// Largest second derivative of such a guard over the whole step, in sizes of its terms, so that nothing hides between values, ...
 const SMOOTH: f64 = 16.0;
-/// ... unless its enclosure tells nothing, or so many pieces have been looked at.
+/// ... unless it has no enclosure, or so many pieces have been examined.
 pub(super) const MANY: u32 = 256;
 
-/// What is known of an interval.
+/// Verdict on an interval.
 pub(super) enum Verdict<S> {
     Clean,
-    /// Of this guard it is not known; of one at least.
+    /// This guard is undecided, and possibly others.
     Open(usize),
     Crossing(usize, S),
 }
 
-/// How an interval is judged.
+/// Circumstances in which an interval is judged.
 #[derive(Clone, Copy)]
 pub(super) struct Depth {
     /// Halvings of the step.
     pub(super) level: u32,
-    /// Guards that rest on their edges there, one bit each.
+    /// Guards that stay on their edges there, one bit each.
     pub(super) resting: u64,
-    /// So many pieces of the step have been looked at that values decide.
+    /// True if so many pieces of the step have been examined that values decide.
     pub(super) is_long: bool,
 }
 
-/// The ends of an interval and the guards there.
+/// Ends of an interval, and the guards there.
 pub(super) struct Piece<S, G> {
     pub(super) from: S,
     pub(super) to: S,
     pub(super) left: G,
     pub(super) right: G,
-    /// Bisected so often that rounding is judged here.
+    /// True if the interval was bisected so often that rounding is evaluated here.
     pub(super) is_local: bool,
-    /// What rounding makes of the guards.
+    /// Rounding errors of the guards.
     pub(super) noise: G,
 }
 
 impl<M: System<S: Real>> Search<'_, M> {
-    /// Does every guard stay on its side over an interval, or leave it once? Those that are `resting` stay as long as they are not violated at
-    /// its end.
+    /// Judges if every guard stays on its side over an interval, or leaves it once. Guards that are `resting` stay as long as they are not
+    /// violated at its end.
     pub(super) fn judge(&self, piece: &Piece<M::S, M::G>, depth: Depth) -> Verdict<M::S> {
         let (mut open, mut by_values, mut crossed) = (None, 0, false);
         let ranges = self.ranges(piece, depth.level, |i, range, slope| {
@@ -60,7 +60,7 @@ impl<M: System<S: Real>> Search<'_, M> {
                 open = open.or(Some(i));
                 return;
             }
-            // What is a little beyond zero may be rounding, and may be the edge of what is shorter than the interval.
+            // A value a little beyond zero may be rounding, or the edge of a violation that is shorter than the interval.
             let edge = self.edge(i);
             let violated = edge - piece.noise.at(i);
             let stay = if piece.is_local { violated } else { edge };
@@ -96,8 +96,9 @@ impl<M: System<S: Real>> Search<'_, M> {
         crossing.map_or(Verdict::Clean, |(i, theta)| Verdict::Crossing(i, theta))
     }
 
-    /// Do a few values tell what a guard does over an interval, in which it has this range and this slope? Not if something may hide between
-    /// them: a feature that is narrow bends by more than what the guard is the sum of. What nothing encloses is known by values alone.
+    /// True if a few values determine a guard over an interval, in which it has this range and this slope. They do not if something may
+    /// hide between them: a narrow feature has a larger second derivative than the terms of the guard. A guard without an enclosure is
+    /// known by values alone.
     fn is_told_by_values(
         piece: &Piece<M::S, M::G>,
         depth: Depth,
@@ -112,7 +113,7 @@ impl<M: System<S: Real>> Search<'_, M> {
         is_unknown || depth.is_long || bends <= M::S::lit(SMOOTH) * terms
     }
 
-    /// What these guards do over an interval, one bit each: whether one of them leaves its side, or the first of which that is not told.
+    /// Judges these guards over an interval, one bit each: true if one of them leaves its side, an error with the first that is undecided.
     #[cold]
     #[inline(never)]
     fn by_values(&self, piece: &Piece<M::S, M::G>, of: u64, depth: Depth) -> Result<bool, usize> {
@@ -125,7 +126,7 @@ impl<M: System<S: Real>> Search<'_, M> {
         let mut leaves = false;
         for i in (0..M::G::LEN).filter(|i| of & bit(*i) != 0) {
             let (edge, noise) = (self.edge(i), piece.noise.at(i));
-            // As above: a dip below the edge by as little as rounding over the whole step may be real.
+            // As above: a dip below the edge by no more than the rounding over the whole step may be real.
             let near = if piece.is_local || depth.is_long { Near::Rounding } else { Near::Unknown };
             match curve(&core::array::from_fn(|k| all[k].at(i)), (edge, noise), near) {
                 Curve::Stays => {}
@@ -136,8 +137,8 @@ impl<M: System<S: Real>> Search<'_, M> {
         Ok(leaves)
     }
 
-    /// Guards that rest on their edges over an interval: at its ends and in its middle they are there, and do not move, both but for
-    /// rounding. The guards of a motion are nearly polynomials: with six such conditions a quarter of a step leaves nothing between.
+    /// Guards that stay on their edges over an interval: at its ends and in its middle they are there and do not move, within rounding. The
+    /// guards of a motion are nearly polynomials: six such conditions in a quarter of a step exclude anything between.
     #[cold]
     #[inline(never)]
     pub(super) fn resting(&self, piece: &Piece<M::S, M::G>) -> u64 {

@@ -1,34 +1,34 @@
-//! A guard over a short piece of a step by nine of its values.
+//! Course of a guard over a short piece of a step, from nine of its values.
 //!
-//! Enclosures take numbers that move together for ones that move apart: a gap between two bodies that go on side by side is a small
+//! Enclosures treat numbers that move together as if they moved independently: a gap between two bodies that move side by side is a small
 //! difference of large motions, and its range over an interval is as wide as those. Along the dense output a guard is nearly a polynomial.
-//! The quartic through five values is held against four more between them: with a fifth derivative that does not change it is nowhere off by
-//! more than 1.11 times what it is off there. Its coefficients in S. Bernstein's form bound it, and their differences its slope (G. Farin,
-//! Curves and Surfaces for CAGD, 5th edition, 5.1).
+//! The quartic through five values is compared with four more between them: with a constant fifth derivative its largest error is at most
+//! 1.11 times the error there. Its coefficients in S. Bernstein's form bound it, and their differences its slope (G. Farin, Curves and
+//! Surfaces for CAGD, 5th edition, 5.1).
 
 use crate::scalar::Real;
 
-/// Values at even distances that tell of a piece.
+/// Number of equidistant values of a piece.
 pub(super) const VALUES: usize = 9;
-/// The quartic is off by at most so many times what it is off at the four values.
+/// Bound of the error of the quartic, relative to its largest error at the four values.
 const OFF: f64 = 4.0;
-/// Roundings of the values make so many of a coefficient: the sum of the sizes of its weights.
+/// Error of a coefficient in roundings of the values: the sum of the sizes of its weights.
 const ROUNDED: f64 = 16.0;
-/// A guard falls where that is a smaller part of its change.
+/// A guard falls if the error of the quartic is at most this part of its change.
 const STEADY: f64 = 0.125;
 
-/// What a guard does over a piece.
+/// Course of a guard over a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Curve {
-    /// It stays on its side.
+    /// The guard stays on its side.
     Stays,
-    /// It leaves its side once, and does not come back.
+    /// The guard leaves its side once, and does not return.
     Leaves,
-    /// The values do not tell.
+    /// The values do not decide.
     Open,
 }
 
-/// A distance from the edge below the rounding of the values.
+/// Meaning of a distance from the edge that is below the rounding of the values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Near {
     /// Rounding alone: the curve is at its edge.
@@ -37,7 +37,7 @@ pub(super) enum Near {
     Unknown,
 }
 
-/// The curve of a guard by its values, which leaves its side at an edge; by so much its values are rounded.
+/// Course of a guard with these values, which leaves its side at `edge`; `noise` is the rounding of the values.
 pub(super) fn curve<S: Real>(values: &[S; VALUES], (edge, noise): (S, S), near: Near) -> Curve {
     let violated = edge - noise;
     let even = [values[0], values[2], values[4], values[6], values[8]];
@@ -63,13 +63,13 @@ pub(super) fn curve<S: Real>(values: &[S; VALUES], (edge, noise): (S, S), near: 
         weigh([-3.0, 16.0, -36.0, 48.0, -13.0], 12.0),
         even[4],
     ];
-    // Coefficients are rounded more than values are.
+    // Coefficients have more rounding than values.
     let least = match near {
         Near::Unknown => edge + if fits { S::ZERO } else { off },
         Near::Rounding if fits => violated - S::lit(ROUNDED) * noise,
         Near::Rounding => violated + off,
     };
-    // Comparisons with what is not a number are false.
+    // Comparisons with NaN are false.
     if control.iter().all(|control| *control >= least) && values.iter().all(|value| *value >= violated) {
         return Curve::Stays;
     }
@@ -87,7 +87,7 @@ mod tests {
         curve(&core::array::from_fn(|k| guard(k as f64 / 8.0)), (1e-15, 1e-15), Near::Rounding)
     }
 
-    /// A dip that is as deep as the values are rounded stays open, until rounding is known where it happens.
+    /// A dip that is as deep as the rounding of the values stays open, until rounding is evaluated where it happens.
     #[test]
     fn dips_as_deep_as_rounding_stay_open() {
         let dip = |depth: f64| core::array::from_fn(|k| 2e-4 * (k as f64 / 8.0 - 0.4).powi(2) - depth);
@@ -118,7 +118,7 @@ mod tests {
         assert_eq!(of(|t| if t < 0.3 { 1e-9 } else { -1.0 }), Curve::Open);
     }
 
-    /// What is said of random polynomials of the degree of a dense output is true of 1000 of their values.
+    /// Verdicts on random polynomials of the degree of a dense output agree with 1000 of their values.
     #[test]
     fn what_is_told_of_polynomials_is_true() {
         let (mut told, mut state) = ([0; 3], 5_u64);

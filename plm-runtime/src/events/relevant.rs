@@ -6,18 +6,18 @@ use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Nodes of decision diagrams that are followed at most, 64 in a word.
+/// Words of 64 bits for the nodes of a decision diagram that are followed.
 const WORDS: usize = 32;
 
-/// Conditions, one bit each; of systems that select some, which have 64 at most.
+/// Conditions, one bit each; for systems that select some, which have at most 64.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Relevant(u64);
 
 impl Relevant {
-    /// Every condition, of any number.
+    /// All conditions, of any number.
     pub(super) const ALL: Self = Self(u64::MAX);
 
-    /// Those that matter as long as only conditions with a bit in `unknown` change their sides.
+    /// Conditions that matter as long as only conditions with a bit in `unknown` change their sides.
     pub(super) fn of<M: System>(system: &M, held: &M::U, unknown: u64) -> Self {
         if !M::SELECTIVE {
             return Self::ALL;
@@ -26,8 +26,8 @@ impl Relevant {
         Self(matter.fold(0, |bits, i| bits | bit(i)))
     }
 
-    /// The kinks that matter, one bit each, as long as only conditions with a bit in `unknown` change their sides; kinks are counted
-    /// after the conditions, and those after the first 128 are left to error control.
+    /// Kinks that matter, one bit each, as long as only conditions with a bit in `unknown` change their sides. Kinks are counted
+    /// after the conditions; those after the first 128 are left to error control.
     pub(super) fn kinks<M: System>(system: &M, held: &M::U, unknown: u64) -> u128 {
         if !M::SELECTIVE {
             return u128::MAX;
@@ -37,32 +37,32 @@ impl Relevant {
         matter.fold(0, |bits, k| bits | 1 << k)
     }
 
-    /// Is this one among them?
+    /// True if this condition is among them.
     #[inline]
     pub(super) fn has(self, index: usize) -> bool {
         self == Self::ALL || self.0 & bit(index) != 0
     }
 
-    /// Has none of these a bit in `unknown`?
+    /// True if none of them has a bit in `unknown`.
     pub(super) fn is_apart(self, unknown: u64) -> bool {
         self.0 & unknown == 0
     }
 }
 
-/// The bit of a condition.
+/// Bit of a condition.
 #[inline]
 pub(super) fn bit(index: usize) -> u64 {
     u32::try_from(index).ok().and_then(|index| 1_u64.checked_shl(index)).unwrap_or(0)
 }
 
-/// Brings the sides of those conditions up to date at a state that do not matter there; which did change.
+/// Updates the sides of the conditions that do not matter at a state; returns those that have changed, one bit each.
 pub(crate) fn refresh<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: &M::X) -> u64 {
     let mut changed = 0;
     if !M::SELECTIVE || (0..M::G::LEN).all(|i| system.matters(u, i, 0)) {
         return changed;
     }
     let here = guards(system, t, u, x);
-    // What does not matter resets nothing.
+    // A condition that does not matter resets nothing.
     let mut x = *x;
     for i in 0..M::G::LEN {
         if is_violated(system, &here, i) && !system.must_hold(i) && !system.matters(u, i, 0) {
@@ -72,9 +72,9 @@ pub(crate) fn refresh<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: 
     changed
 }
 
-/// Does a function of sides hold, or can it if those sides are other ones that have a bit in `unknown`? It is a decision diagram:
-/// each of its `nodes` gives a side, and the node that follows where that is negative, and where it is not. Nodes are counted from
-/// 2 on; 0 does not hold, 1 does, and those that follow have smaller numbers.
+/// True if a function of sides is true, or may be true if the sides with a bit in `unknown` are other ones. The function is a
+/// decision diagram: each of its `nodes` gives a side, the next node if that is negative, and the next node if it is not. Nodes are
+/// counted from 2 on; 0 is false, 1 is true, and next nodes have smaller numbers.
 pub fn holds<S: Real>(nodes: &[(u8, u16, u16)], root: u16, sides: &[S], unknown: u64) -> bool {
     let mut reached = [0_u64; WORDS];
     let (mut number, mut open) = (usize::from(root), 0_u32);
@@ -98,7 +98,7 @@ pub fn holds<S: Real>(nodes: &[(u8, u16, u16)], root: u16, sides: &[S], unknown:
         if open == 0 {
             return false;
         }
-        // The next one below.
+        // The next node below.
         number -= 1;
         while reached.get(number / 64).is_some_and(|word| word & bit(number % 64) == 0) {
             number -= 1;

@@ -1,8 +1,8 @@
-//! The root of a function of one variable.
+//! Root of a function of one variable.
 
 use crate::scalar::Real;
 
-/// A number with the value of the function there.
+/// A number, and the value of the function there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point<S> {
     pub(super) at: S,
@@ -50,7 +50,7 @@ pub(super) fn root<S: Real>(mut a: Point<S>, mut b: Point<S>, tolerance: S, f: &
 mod tests {
     use super::*;
 
-    /// The root, and how many evaluations it took.
+    /// Root, and number of evaluations.
     fn found(f: impl Fn(f64) -> f64, a: f64, b: f64) -> (f64, u32) {
         let (mut count, point) = (0, |at| Point { at, value: f(at) });
         let root = root(point(a), point(b), 1e-15, &mut |x| {

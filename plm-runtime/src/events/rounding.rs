@@ -1,4 +1,4 @@
-//! What rounding makes of guards.
+//! Rounding errors of guards.
 
 use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::{Real, Scalar};
@@ -8,7 +8,7 @@ use crate::vector::Vector;
 /// Rounding of a state and of the time, in units in the last place.
 pub(super) const ULPS: f64 = 8.0;
 
-/// What rounding of the state `x` and of a time, up to `end`, makes of each guard there.
+/// Error of each guard by rounding of the state `x` and of a time, up to `end`.
 pub(super) fn rounding<M: System<S: Real>>(
     (system, held): (&M, &M::U),
     (time, end): (M::S, M::S),

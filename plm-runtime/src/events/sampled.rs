@@ -1,8 +1,8 @@
 //! Sampled search for the first event in a step whose dense output is no polynomial.
 //!
-//! Such a step is looked at a few times, evenly, and between samples by the parabola through three of them. Where a guard bends more than
-//! such samples tell, as that of a friction that sticks under a load which swings while nothing moves, the halves of the step are looked at
-//! in the same way. A condition that lasts shorter than the distance of the samples can be missed.
+//! The step is sampled at a few equidistant times, and between samples the parabola through three of them is used. If a guard bends more
+//! than such samples can show, as that of a friction that sticks under a load which swings while nothing moves, the halves of the step are
+//! sampled in the same way. A condition that lasts shorter than the distance of the samples can be missed.
 
 use super::relevant::Relevant;
 use super::root::{Point, root};
@@ -12,36 +12,35 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// A step is looked at so often.
+/// Intervals between the samples of a step.
 const SAMPLES: usize = 4;
-/// A condition that begins a step past its guard may yet come to its side within it: halvings of the step that are
-/// looked at to find out.
+/// Halvings of a step that begins with a violated guard, in search of a time at which the guard is satisfied before it leaves its side.
 const HALVINGS: u32 = 10;
 
-/// So often a step is halved where guards bend.
+/// Most halvings of a step in which guards bend.
 const MOST_HALVINGS: u32 = 6;
 
-/// A part of a step: where it begins and ends, with the guards there, and how often it may be halved.
+/// A part of a step: its beginning and end, with the guards there, and the number of halvings that are left.
 struct Part<M: System> {
     from: (M::S, M::G),
     to: (M::S, M::G),
     halvings: u32,
 }
 
-/// The last step of a method.
+/// Last step of a method.
 pub(super) struct Sampled<'a, 'c, M: System, I> {
     pub(super) method: &'a I,
     pub(super) context: &'a Context<'c, M>,
-    /// Where it began, s.
+    /// Time at its beginning, s.
     pub(super) start: M::S,
-    /// How far guards were on the wrong side when they were switched there.
+    /// Values by which guards were violated when their events were committed.
     pub(super) residual: &'a M::G,
-    /// Those that are looked at.
+    /// Conditions that are examined.
     pub(super) relevant: Relevant,
 }
 
 impl<M: System<S: Real>, I: Method<M>> Sampled<'_, '_, M, I> {
-    /// The first guard that leaves its side, and when; they are known at the beginning and at the end of the step.
+    /// First guard that leaves its side, and the time; the guards at the beginning and at the end of the step are known.
     pub(super) fn first(&self, began: &M::G, end: &M::G) -> (Found<M::S>, M::S) {
         let (from, to) = ((self.start, *began), (self.context.time, *end));
         match self.first_within(&Part { from, to, halvings: MOST_HALVINGS }) {
@@ -50,7 +49,7 @@ impl<M: System<S: Real>, I: Method<M>> Sampled<'_, '_, M, I> {
         }
     }
 
-    /// The first guard that leaves its side within a part of the step, and when.
+    /// First guard that leaves its side within a part of the step, and the time.
     fn first_within(&self, part: &Part<M>) -> Option<(usize, M::S)> {
         let Part { from: (start, began), to: (stop, end), halvings } = part;
         let at = |look: M::S| *start + look / M::S::lit(SAMPLES as f64) * (*stop - *start);
@@ -78,15 +77,15 @@ impl<M: System<S: Real>, I: Method<M>> Sampled<'_, '_, M, I> {
         first
     }
 
-    /// The guards at a time within the step.
+    /// Guards at a time within the step.
     fn guards(&self, time: M::S) -> M::G {
         let (held, x) = self.method.moment(self.context, time);
         super::guards(self.context.system, time, &held, &x)
     }
 }
 
-/// May a guard that is above its edge at all samples be below it between them? By its differences of second and third order, which are small
-/// where the samples tell how it goes, and as large as its changes where they do not.
+/// True if a guard that is above its edge at all samples may be below it between them. This follows from its differences of second and
+/// third order, which are small if the samples show its course, and as large as its changes if they do not.
 fn bends<S: Real>(g: [S; SAMPLES + 1], edge: S) -> bool {
     let second = |k: usize| (g[k] - g[k + 1] - g[k + 1] + g[k + 2]).abs();
     let third = |k: usize| (g[k + 3] - g[k] + S::lit(3.0) * (g[k + 1] - g[k + 2])).abs();
@@ -95,8 +94,8 @@ fn bends<S: Real>(g: [S; SAMPLES + 1], edge: S) -> bool {
     nearest > S::ZERO && bent > nearest
 }
 
-/// The first look at which a guard is below its edge, or between samples, where the parabola through three of them says
-/// so; of those that `is_out` confirms.
+/// First sample at which a guard is below its edge, or place between samples at which the parabola through three of them is below it; of
+/// those that `is_out` confirms.
 fn first_out<S: Real>(g: [S; SAMPLES + 1], edge: S, is_out: impl Fn(S) -> bool) -> Option<S> {
     (1..=SAMPLES).find_map(|k| {
         let (look, value) = (S::lit(k as f64), g[k]);
@@ -104,7 +103,7 @@ fn first_out<S: Real>(g: [S; SAMPLES + 1], edge: S, is_out: impl Fn(S) -> bool) 
             return is_out(look).then_some(look);
         }
         let (before, after) = (g[k - 1] - value, *g.get(k + 1)? - value);
-        // Its lowest point stands `lean / bend` samples after the middle one.
+        // Its lowest point is `lean / bend` samples after the middle one.
         let (lean, bend) = (S::lit(0.5) * (before - after), before + after);
         let lowest = value - S::lit(0.5) * lean * lean / bend;
         let place = look + lean / bend;
@@ -112,7 +111,7 @@ fn first_out<S: Real>(g: [S; SAMPLES + 1], edge: S, is_out: impl Fn(S) -> bool) 
     })
 }
 
-/// The first time past the root of a guard between the start of a step and a time at which it is past.
+/// First time past the root of a guard between the start of a step and a time at which it is violated.
 fn crossing<S: Real>(start: Point<S>, end: Point<S>, guard: &mut dyn FnMut(S) -> S) -> S {
     let tolerance = S::EPSILON * start.at.abs().max(end.at.abs());
     if start.value > S::ZERO {
@@ -134,7 +133,7 @@ fn crossing<S: Real>(start: Point<S>, end: Point<S>, guard: &mut dyn FnMut(S) ->
 mod tests {
     use super::*;
 
-    /// What is found of a guard that is looked at in 0, 1, ... 4.
+    /// Place that is found for a guard with samples at 0, 1, ... 4.
     fn found(guard: impl Fn(f64) -> f64, edge: f64) -> Option<f64> {
         let at = [0.0, 1.0, 2.0, 3.0, 4.0];
         first_out(at.map(&guard), edge, |look| guard(look) < edge)

@@ -1,9 +1,9 @@
-//! The first time in a step at which a guard leaves its side.
+//! Search for the first time in a step at which a guard leaves its side.
 //!
-//! A step is bisected from its beginning on until every guard is known to stay on its side, or to leave it once: by its
-//! range over the interval, by the sign of its slope ([`Enclosed`](crate::Enclosed)). Where a guard comes so near to zero that this stays open,
-//! bisection ends at a fraction of the step, [`FINEST`], that is shorter than anything that is promised to be found. In short pieces a guard
-//! whose enclosure says that it is smooth is decided by its values too (`piece`).
+//! A step is bisected from its beginning on until every guard is known to stay on its side, or to leave it once: by its range over the
+//! interval, by the sign of its slope ([`Enclosed`](crate::Enclosed)). If a guard is so near to zero that this is undecided, bisection ends
+//! at a fraction of the step, [`FINEST`], that is shorter than any event that is guaranteed to be found. In short pieces a guard whose
+//! enclosure shows that it is smooth is judged by its values too (`piece`).
 
 use super::piece::{Depth, MANY, Piece, Verdict};
 use super::relevant::{Relevant, bit};
@@ -15,59 +15,59 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Question, System, value, values};
 use crate::vector::Vector;
 
-/// Halvings of a step: 2^-22 of it are a quarter of a millionth.
+/// Most halvings of a step: 2^-22 of it is a quarter of a millionth.
 const FINEST: u32 = 22;
-/// Halvings that are always made where a system cannot say what its guards are over an interval.
+/// Halvings that are always made if a system cannot enclose its guards.
 const ROUGHEST: u32 = 2;
-/// Where it cannot, halvings after which nothing more is learnt.
+/// Halvings after which nothing more is learnt without enclosures.
 const FINEST_OF_POINTS: u32 = 6;
-/// A parabola is believed where it stays away from the edge by so many times what the guard varies by, ...
+/// A parabola is accepted if its distance from the edge is at least so many times the variation of the guard, ...
 const FAR: f64 = 2.0;
-/// ... and where it bends by no more than this fraction of half of what it changes by.
+/// ... or if it bends by no more than this fraction of half of its change.
 const STRAIGHT: f64 = 0.25;
-/// Halvings up to which the guards at the ends of intervals are remembered: they are the ends of shorter ones too.
+/// Halvings up to which the guards at the ends of intervals are stored: they are the ends of shorter intervals too.
 const REMEMBERED: usize = 4;
-/// Intervals of a step that are looked at; then what is left of it is left for the next step.
+/// Most intervals of a step that are examined; the remainder is left for the next step.
 const MOST: u32 = 4000;
-/// Four times the part of a step that intervals which all stay open get through.
+/// Least part of a step that is accepted as searched: four times the part that intervals which all stay open cover.
 const LEAST: f64 = 0.002;
-/// Pieces that bisection ends at with nothing known of a guard: then it is not decided.
+/// Most pieces at which bisection ends without a decision on a guard; after more, the guard counts as undecided.
 const MOST_UNDECIDED: u32 = 1000;
-/// Halvings after which rounding is judged where it happens, and not at the beginning of the step.
+/// Halvings after which rounding is evaluated at the interval, and not at the beginning of the step.
 const LOCAL: u32 = 10;
-/// What became of the conditions in a step.
+/// Result of a search in a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Found<S> {
-    /// All stay on their sides.
+    /// All guards stay on their sides.
     Nothing,
-    /// The first that does not, and at which fraction of the step.
+    /// The first guard that does not, and the fraction of the step.
     Crossing(usize, S),
-    /// Nothing up to a fraction of the step; beyond, it took too long.
+    /// No event up to a fraction of the step; the search beyond would take too long.
     Open(S),
-    /// Nothing is known of this one in many places.
+    /// This guard is undecided in many places.
     Undecided(usize),
 }
 
-/// The guards over a step.
+/// Guards over a step.
 pub(super) struct Search<'a, M: System> {
     pub(super) system: &'a M,
     pub(super) held: M::U,
     pub(super) path: Path<M::S, M::X>,
-    /// Where a guard passes this it leaves its side: zero, or what was left when it was switched last.
+    /// Value below which a guard has left its side: zero, or its residual.
     base: M::G,
-    /// Fraction of the step from which on a guard is looked at.
+    /// Fraction of the step from which on a guard is examined.
     pub(super) from: M::G,
-    /// The guards at the beginning. Of a contact row that comes to its side at once this is its guard there.
+    /// Guards at the beginning; for a contact row that comes to its side at once, its guard there.
     first: M::G,
-    /// What rounding makes of a guard at the beginning.
+    /// Rounding errors of the guards at the beginning.
     noise: M::G,
-    /// Those that are looked at.
+    /// Conditions that are examined.
     relevant: Relevant,
-    /// The one guard that is looked at, of all.
+    /// The only guard that is examined; `None` for all.
     only: Option<usize>,
 }
 
-/// What becomes of the conditions over a step first; `residual` is by how much each guard was violated when its event was committed.
+/// Asks for the first event over a step; `residual` has the values by which guards were violated when their events were committed.
 pub(super) struct First<'a, S, X, G> {
     pub(super) path: &'a Path<S, X>,
     pub(super) residual: &'a G,
@@ -89,7 +89,7 @@ impl<S: Real, X: Vector<S>, G: Vector<S>> Question<S> for First<'_, S, X, G> {
 }
 
 impl<'a, M: System<S: Real>> Search<'a, M> {
-    /// Over `path`; `residual` is by how much each guard was violated when its event was committed.
+    /// Search over `path`; `residual` has the values by which guards were violated when their events were committed.
     pub(super) fn new(
         (system, held): (&'a M, M::U),
         path: Path<M::S, M::X>,
@@ -125,33 +125,33 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         search
     }
 
-    /// The same for one guard alone.
+    /// The search for one guard alone.
     pub(super) fn of_one(&self, index: usize) -> Self {
         Self { only: Some(index), ..*self }
     }
 
-    /// Is this guard looked at?
+    /// True if this guard is examined.
     pub(super) fn searches(&self, index: usize) -> bool {
         self.only.map_or(self.relevant.has(index), |only| only == index)
     }
 
-    /// Is the guard violated at a fraction of the step?
+    /// True if the guard is violated at a fraction of the step.
     pub(super) fn is_violated(&self, theta: M::S, index: usize) -> bool {
         self.values(theta).at(index) < self.edge(index) - self.noise.at(index)
     }
 
-    /// Below this a guard is violated, but for rounding.
+    /// Value below which a guard is violated, apart from rounding.
     pub(super) fn edge(&self, index: usize) -> M::S {
         self.base.at(index) - self.system.band(index)
     }
 
-    /// The first guard that leaves its side.
+    /// First guard that leaves its side.
     pub(super) fn first(&self) -> Found<M::S> {
         let half = M::S::lit(0.5);
         let (mut level, mut index, mut width, mut spent) = (0_u32, 0_u32, M::S::lit(1.0), 0_u32);
         let (mut from, mut left, mut noise) = (M::S::ZERO, self.first, self.noise);
         let (mut resting, mut undecided) = (0, 0);
-        // By halvings, the last end and its guards.
+        // By halvings: the end of the last interval, and its guards.
         let mut ends: [(M::S, M::G); REMEMBERED] = [(M::S::ZERO, self.first); REMEMBERED];
         loop {
             let (to, is_local) = (from + width, level >= LOCAL);
@@ -224,9 +224,9 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         first
     }
 
-    /// The first fraction of the step at which a guard passes its base; at the end of the interval it is violated.
+    /// First fraction of the step at which a guard passes its base; at the end of the interval it is violated.
     fn crossing(&self, piece: &Piece<M::S, M::G>, i: usize) -> M::S {
-        // What rests on its base has not passed it.
+        // A guard that stays on its base has not passed it.
         let above = self.base.at(i) - M::S::EPSILON * piece.noise.at(i);
         let left = Point { at: piece.from, value: piece.left.at(i) - above };
         if left.value <= M::S::ZERO {
@@ -238,12 +238,12 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         root(left, right, tolerance, &mut |theta| self.values(theta).at(i) - above)
     }
 
-    /// The guards at a fraction of the step.
+    /// Guards at a fraction of the step.
     pub(super) fn values(&self, theta: M::S) -> M::G {
         super::guards(self.system, self.path.time(theta), &self.held, &self.path.at(theta))
     }
 
-    /// Gives the range and the slope of every guard over an interval; false if some are not known.
+    /// Gives the range and the slope of every guard over an interval. Returns false if some are unknown.
     pub(super) fn ranges(
         &self,
         piece: &Piece<M::S, M::G>,
@@ -263,15 +263,15 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         if known || level < ROUGHEST {
             return known;
         }
-        // By the parabola through three points, where the guard is far from its edge beside what it varies by, or is nearly straight: a
-        // force that swings while nothing moves may go through more than one period in a step.
+        // By the parabola through three points, if the guard is far from its edge relative to its variation, or nearly straight: a force
+        // that swings while nothing moves may go through more than one period in a step.
         let between = self.values(middle);
         for i in (0..M::G::LEN).filter(|i| given & bit(*i) == 0) {
             let (a, b, c) = (piece.left.at(i), between.at(i), piece.right.at(i));
             let (lean, bend) = (half * (c - a), a + c - (b + b));
             let dip = if lean.abs() < bend { half * lean * lean / bend } else { M::S::ZERO };
             let low = a.min(c).min(b - dip);
-            // Falling from end to end: what begins on its base may rise before.
+            // Falling from end to end: a guard that begins on its base may rise before.
             let falls = lean + bend <= M::S::ZERO && lean - bend <= M::S::ZERO;
             let (finest, leaves) = (level >= FINEST_OF_POINTS, c < self.edge(i) - piece.noise.at(i));
             let varies = a.max(b).max(c) - a.min(b).min(c);
@@ -288,14 +288,14 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         true
     }
 
-    /// What rounding of the state and of the time makes of each guard at a fraction of the step, where they are `here`.
+    /// Error of each guard by rounding of the state and of the time at a fraction of the step, where they are `here`.
     fn rounding(&self, theta: M::S, here: &M::G) -> M::G {
         let (ahead, end) = (self.path.time(theta), self.path.time(M::S::lit(1.0)));
         rounding((self.system, &self.held), (ahead, end), &self.path.at(theta), here)
     }
 
-    /// How soon a guard comes to its side that was switched a little before or after its time, and was `left` beyond it; none if it does
-    /// not, or goes on beyond first, as that of a ball which its own event has thrown back.
+    /// Fraction of the step at which a guard returns to its side, after it was switched a little before or after its time and was `left`
+    /// beyond. `None` if it does not return, or goes farther beyond first, as that of a ball which its own event has thrown back.
     fn return_of(&self, index: usize, left: M::S) -> Option<M::S> {
         let gone = left - self.system.band(index) - self.noise.at(index);
         let mut theta = finest::<M::S>();
@@ -313,7 +313,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
     }
 }
 
-/// The shortest interval, as a fraction of the step.
+/// Shortest interval, as a fraction of the step.
 fn finest<S: Real>() -> S {
     (0..FINEST).fold(S::lit(1.0), |width, _| S::lit(0.5) * width)
 }

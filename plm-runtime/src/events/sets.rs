@@ -1,7 +1,7 @@
 //! Events that set states: items `when` of a declaration.
 //!
-//! An event changes a side of a condition, or the modes of contact. Whatever becomes true by that sets its states, and may make something
-//! else become true; this ends when nothing does.
+//! An event changes a side of a condition, or the modes of contact. Every condition of an item that becomes true by it sets states, which
+//! may make others true; this ends when none becomes true.
 
 use super::guards;
 use crate::absolute::{self, Absolute};
@@ -10,14 +10,14 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// So many times events may follow each other at once.
+/// Most rounds in which events follow each other at once.
 const MOST_ROUNDS: u32 = 100;
-/// So many units in the last place are rounding.
+/// Units in the last place that count as rounding.
 const MANY: f64 = 1024.0;
 
 /// A mechanism with `W` events that set states; implemented by generated code.
 pub trait Sets<const W: usize>: System<S: Real> {
-    /// Conditions of the state: their guards are the first ones, and their sides stand first.
+    /// Number of conditions of the state: their guards and their sides come first.
     const CONDITIONS: usize;
 
     /// Number of these conditions: `CONDITIONS`, or fewer of a system that has its size from a program.
@@ -26,19 +26,19 @@ pub trait Sets<const W: usize>: System<S: Real> {
         Self::CONDITIONS
     }
 
-    /// The sides of all conditions that are held.
+    /// Sides of all conditions in the discrete state.
     fn sides(u: &mut Self::U) -> &mut [Self::S];
 
-    /// Does the condition of each event hold, with the sides that are held?
+    /// True for each event whose condition is satisfied, by the sides in the discrete state.
     fn holds(&self, u: &Self::U) -> [bool; W];
 
-    /// Sets what the event `index` sets, each value worked out by the state before.
+    /// Sets the states of the event `index`, each to a value computed from the state before.
     ///
     /// # Errors
     /// When joints do not allow the velocities.
     fn set(&self, t: Self::S, u: &mut Self::U, x: &mut Self::X, index: usize) -> Result<(), Fault>;
 
-    /// Finds the modes of contacts anew, where something was set since the discrete state was `before`.
+    /// Finds the modes of contacts again, if something was set since the discrete state was `before`.
     ///
     /// # Errors
     /// When contacts have no mode.
@@ -51,7 +51,7 @@ pub trait Sets<const W: usize>: System<S: Real> {
 /// Commits a `change` of sides or modes, then the events that become true by it.
 ///
 /// # Errors
-/// Those of the change and of [`Sets`]; [`Cause::Zeno`] where events follow each other without end.
+/// Those of the change and of [`Sets`]; [`Cause::Zeno`] if events follow each other without end.
 pub fn change<M: Sets<W>, const W: usize>(
     system: &M,
     t: M::S,
@@ -63,7 +63,7 @@ pub fn change<M: Sets<W>, const W: usize>(
     let mut held = system.holds(u);
     let mut before = differences(system, t, u, x);
     change(u, x)?;
-    // Where a mode of contact has changed, as of a row that sticks, a difference becomes zero, which is a jump however small.
+    // If a mode of contact has changed, as of a row that sticks, a difference becomes zero, which is a jump however small.
     if is_rounding(system, &start, x) && M::contacts(&beginning).has_modes_of(&M::contacts(u)) {
         let here = differences(system, t, u, x);
         keep_changed(&mut before, (M::sides(&mut beginning), M::sides(u)), &here);
@@ -83,7 +83,7 @@ pub fn change<M: Sets<W>, const W: usize>(
         } else if is_settled {
             return Ok(());
         } else {
-            // Contacts read the sides that follow what was set.
+            // Contacts read the sides that follow from the new states.
             system.settle(t, &beginning, u, x)?;
             is_settled = true;
         }
@@ -97,13 +97,13 @@ pub fn change<M: Sets<W>, const W: usize>(
     Err(Fault::of_part(t.to_f64(), system.guard_name(first), cause))
 }
 
-/// Takes the sides of all conditions of the state where a run begins: nothing becomes true by that.
+/// Takes the sides of all conditions of the state at the start of a run, without the events of conditions that become true.
 pub fn begin<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &mut M::U, x: &M::X) {
     take_sides(system, t, u, x, (system.condition_count(), M::sides));
 }
 
-/// Takes the sides of conditions as [`begin`] does, where no event sets states: `sides` gives the sides of all conditions, of which the
-/// first `conditions` are of the state.
+/// Takes the sides of conditions as [`begin`] does, for systems without events that set states: `sides` gives the sides of all
+/// conditions, the first `conditions` of which are of the state.
 pub fn take_sides<M: System<S: Real>>(
     system: &M,
     t: M::S,
@@ -111,7 +111,7 @@ pub fn take_sides<M: System<S: Real>>(
     x: &M::X,
     (conditions, sides): (usize, impl Fn(&mut M::U) -> &mut [M::S]),
 ) {
-    // The side of one may decide what another compares.
+    // The side of one may change the value that another compares.
     for _ in 0..=conditions {
         let here = guards(system, t, u, x);
         let mut any = false;
@@ -127,7 +127,7 @@ pub fn take_sides<M: System<S: Real>>(
     }
 }
 
-/// What the conditions of the state compare: below zero where they hold.
+/// Values that the conditions of the state compare: below zero if the condition is true.
 fn differences<M: Sets<W>, const W: usize>(system: &M, t: M::S, u: &M::U, x: &M::X) -> M::G {
     let (guards, mut held) = (guards(system, t, u, x), *u);
     let sides = M::sides(&mut held);
@@ -141,22 +141,22 @@ fn changed<G: Vector<S>, S: Real>(before: &G, after: &G, k: usize) -> bool {
     before.at(k) != after.at(k)
 }
 
-/// Has a change moved the state by no more than rounding, as impulses do that satisfy joints again?
+/// True if a change has moved the state by no more than rounding, as impulses do that satisfy joints again.
 fn is_rounding<M: System<S: Real>>(system: &M, before: &M::X, x: &M::X) -> bool {
     let least = M::S::lit(MANY) * M::S::EPSILON;
     let typical = system.typical();
     (0..M::X::LEN).all(|i| (x.at(i) - before.at(i)).abs() <= least * (typical.at(i) + x.at(i).abs()))
 }
 
-/// Conditions to which a change has given other sides have the values after it: these are rounding, of either sign.
+/// Replaces the values of conditions to which a change has given other sides by those after it: they are rounding, of either sign.
 fn keep_changed<G: Vector<S>, S: Real>(before: &mut G, (old, new): (&[S], &[S]), here: &G) {
     for (k, _) in old.iter().zip(new).enumerate().filter(|(_, (old, new))| old != new) {
         before.set(k, here.at(k));
     }
 }
 
-/// Gives conditions whose values have jumped the sides of the new ones; whether any has got another one, and their differences then. That
-/// of the event itself has not jumped: its value is rounding.
+/// Gives conditions whose values have jumped the sides of the new values. Returns true if a side has changed, and the values then. The
+/// condition of the event itself has not jumped: its value is rounding.
 fn follow<M: Sets<W>, const W: usize>(
     system: &M,
     t: M::S,
@@ -185,11 +185,11 @@ fn follow<M: Sets<W>, const W: usize>(
     (has_followed, differences(system, t, u, x))
 }
 
-/// Velocities of all bodies where some have got other ones, by number: what joints demand of the rest costs the least change in the
-/// metric of the masses, as impulses give it.
+/// Velocities of all bodies after some have been set, by number. The joints require changes of the others, which are the least in the
+/// metric of the masses, as those by impulses.
 ///
 /// # Errors
-/// [`Cause::VelocityOpen`] where joints do not allow them.
+/// [`Cause::VelocityOpen`] if joints do not allow them.
 pub fn with_velocities<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     m: &M,
     t: S,

@@ -6,7 +6,8 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Question, System, value, values};
 use crate::vector::Vector;
 
-/// Do all guards stay on their sides in a step between two times and states, with these guards at its end?
+/// Asks if all guards stay on their sides in a step between two times and states, with these guards at its
+/// end.
 struct Stay<'a, S, X, G> {
     from: (S, &'a X),
     to: (S, &'a X),
@@ -27,7 +28,7 @@ impl<S: Real, X: Vector<S>, G: Vector<S>> Question<S> for Stay<'_, S, X, G> {
 }
 
 impl<S: Real, G: Vector<S>> Detector<S, G> {
-    /// Do all guards stay on their sides in the step, as is known without its dense output?
+    /// True if all guards are known to stay on their sides in the step, without its dense output.
     pub(super) fn stay<M: System<S = S, G = G>>(
         &self,
         context: &Context<'_, M>,

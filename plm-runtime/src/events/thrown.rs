@@ -1,7 +1,7 @@
 //! Events that throw the state back over their own guards: a ball that falls below the floor flies up again.
 //!
-//! The guard of an event is zero there, but for rounding: its value says nothing of the side that it goes to, and how long it stays on that
-//! is no question of the next step, which may be longer than the whole flight. Its slope after the event tells.
+//! The guard of such an event is zero there within rounding: its value does not tell the side to which it goes. The next step does not tell
+//! either, since it may be longer than the whole flight. The slope of the guard after the event does.
 
 use super::boundary::{rates, rates_of_both};
 use super::rounding::rounding;
@@ -13,15 +13,15 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// So far ahead of a state at rest its event is tried, in square roots of the rounding of a time of 1 s and more: as little as lets the guard
-/// change by more than its rounding.
+/// Time ahead of a state at rest at which its event is tried, in square roots of the rounding of 1 s plus the time: as little as lets the
+/// guard change by more than its rounding.
 const AHEAD: f64 = 64.0;
 
-/// Commits the event of the condition `index`, and the way back over its guard where that follows at once; the number of ways back.
+/// Commits the event of the condition `index`, and the return over its guard if that follows at once; gives the number of returns.
 ///
 /// # Errors
-/// Those of [`Events::switch`](crate::Events::switch), and where constraint rows would have to jump; [`Cause::Zeno`] of a state that rests
-/// where its event throws back whatever moves.
+/// Those of [`Events::switch`](crate::Events::switch), and a jump of constraint rows; [`Cause::Zeno`] for a state at rest whose event
+/// throws back every motion.
 pub(super) fn switch_there_and_back<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     index: usize,
@@ -38,8 +38,8 @@ pub(super) fn switch_there_and_back<M: System<S: Real>>(
     Ok(thrown)
 }
 
-/// Does a state rest on the boundary of a condition whose event has set nothing, because nothing moves? A moment later it would be beyond,
-/// and its event would throw it back: the flights have no height. `held` is what was held before the event.
+/// True if a state is at rest on the boundary of a condition whose event has set nothing, because nothing moves. A moment later it would be
+/// beyond, and its event would throw it back: the flights have no height. `held` is the discrete state before the event.
 fn rests<M: System<S: Real>>(context: &mut Context<'_, M>, index: usize, held: &M::U) -> bool {
     if !is_of_state(context.system, index) {
         return false;
@@ -63,8 +63,8 @@ fn is_same<S: Real, X: Vector<S>>(x: &X, before: &X) -> bool {
     (0..X::LEN).all(|i| x.at(i) == before.at(i))
 }
 
-/// Commits the way back over the guard of the condition `index`, where its event has set something of the state `before` and leads back at
-/// once; whether it did. Where the other side leads back too nothing is thrown: the two take turns.
+/// Commits the return over the guard of the condition `index`, if its event has changed the state `before` and leads back at once; gives
+/// the number of returns. If the other side leads back too nothing is thrown: the two sides alternate.
 ///
 /// # Errors
 /// As [`switch_there_and_back`].
@@ -73,7 +73,7 @@ pub(super) fn switch_back<M: System<S: Real>>(
     index: usize,
     before: &M::X,
 ) -> Result<u32, Fault> {
-    // What the event has set the guard itself to is its side already.
+    // A guard whose own value the event has changed is on its side already.
     let stands = |context: &Context<'_, M>| {
         let guard = |x: &M::X| guards(context.system, context.time, &context.held, x).at(index);
         guard(before) == guard(&context.x)
@@ -91,8 +91,8 @@ pub(super) fn switch_back<M: System<S: Real>>(
     Ok(0)
 }
 
-/// Does the state lead away from the boundary of a condition, to the side that is held? The residual of the condition and rounding may be
-/// between; a state that a jump of another condition has put beyond the boundary leads to it.
+/// True if the state leads away from the boundary of a condition, to its side in the discrete state. The residual of the condition and
+/// rounding may be between; a state that a jump of another condition has put beyond the boundary leads to it.
 pub(super) fn leads_away<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     (index, residual): (usize, M::S),
@@ -105,14 +105,14 @@ pub(super) fn leads_away<M: System<S: Real>>(
     here.at(index) >= residual.min(M::S::lit(0.0)) - noise.at(index) && slope(context, index) > M::S::lit(0.0)
 }
 
-/// Is this guard one of a condition, rather than of a row of contact? Those of rows stand after.
+/// True if this guard belongs to a condition, not to a contact row. The guards of rows come last.
 pub(super) fn is_of_state<M: System>(system: &M, index: usize) -> bool {
     let rows = system.contact_count();
     let of_rows = if rows > 0 { contact::guard_count(rows) } else { 0 };
     index + of_rows < system.guard_count()
 }
 
-/// How fast a guard changes, per second; zero where there is no rate.
+/// Rate of change of a guard, per second; zero if there is no rate.
 fn slope<M: System<S: Real>>(context: &mut Context<'_, M>, index: usize) -> M::S {
     rates(context).map_or(M::S::lit(0.0), |slopes| slopes.at(index))
 }

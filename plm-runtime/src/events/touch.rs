@@ -1,4 +1,4 @@
-//! Motions that touch the boundary of a condition within a step and turn back: beside them are some that cross it, and derivatives to both
+//! Motions that touch the boundary of a condition within a step and turn back: some motions beside them cross it, and derivatives to both
 //! sides have nothing in common. Runs with derivatives end there.
 
 use super::guards;
@@ -11,16 +11,16 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Question, System, value};
 use crate::vector::Vector;
 
-/// A motion touches what it comes to but for so many times the rounding there, and for the tolerance of its steps.
+/// Distance, in roundings there, up to which a motion touches a boundary; the tolerance of its steps, if that is more.
 const MANY: f64 = 1e3;
-/// A derivative that is less is rounding.
+/// Derivatives below this are rounding.
 const NONE: f64 = 1e-12;
 
-/// Looks for a condition whose boundary the last step has only touched, of those that are `relevant` and have no `residual`.
+/// Searches for a condition whose boundary the last step has only touched, of those that are `relevant` and have no `residual`.
 ///
 /// # Errors
-/// [`Cause::Grazes`], where the run is derived by what moves the boundary, or the motion beside it. Numbers of one side go on where the
-/// motion keeps away on this side.
+/// [`Cause::Grazes`] if the boundary, or the motion beside it, moves with the variable of differentiation. Runs with one-sided derivatives
+/// continue if the motion stays away on that side.
 pub(super) fn touch<M: System<S: Real>, I: Method<M>>(
     method: &mut I,
     context: &mut Context<'_, M>,
@@ -44,7 +44,7 @@ pub(super) fn touch<M: System<S: Real>, I: Method<M>>(
     Err(Fault::of_part(time.to_f64(), context.system.guard_name(index), Cause::Grazes))
 }
 
-/// Asks which condition is only touched over a step, and at which fraction of it.
+/// Asks for a condition that is only touched over a step, and for the fraction of the step.
 struct Touched<'a, S, X, G> {
     path: &'a Path<S, X>,
     relevant: Relevant,
@@ -74,7 +74,7 @@ struct Over<'a, N: System> {
 }
 
 impl<N: System<S: Real>> Over<'_, N> {
-    /// Those that hold and come nearer to their boundaries, or go away from them, one bit each.
+    /// Satisfied conditions that approach their boundaries, or move away from them, one bit each.
     fn slopes(&self, theta: N::S, nearer: bool) -> u64 {
         let mut found = 0;
         self.each(theta, |i, [guard, slope]| {
@@ -84,8 +84,8 @@ impl<N: System<S: Real>> Over<'_, N> {
         found
     }
 
-    /// Where a condition is nearest to its boundary, if that is no farther than rounding and tolerance make of it; it is farther at both
-    /// ends of the step.
+    /// Fraction of the step at which a condition is nearest to its boundary, if it is no farther there than rounding and tolerance, and
+    /// farther at both ends of the step.
     fn touched(&self, index: usize) -> Option<N::S> {
         let one = N::S::lit(1.0);
         let at = |theta: N::S| {
@@ -107,7 +107,7 @@ impl<N: System<S: Real>> Over<'_, N> {
         is_touched.then_some(theta)
     }
 
-    /// Gives every condition, and how it changes per step.
+    /// Gives every condition, and its change per step.
     fn each(&self, theta: N::S, mut each: impl FnMut(usize, [N::S; 2])) {
         let (time, x) = self.path.around(theta, N::S::ZERO);
         self.system.guards_within(time, self.held, &x, &mut |i, guard| {

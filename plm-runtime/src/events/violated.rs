@@ -10,12 +10,12 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// A gap that is negative by this fraction of the length of the mechanism has sunk in: by less, events are located.
+/// Depth, as a fraction of the length of the mechanism, above which a negative gap is a penetration: events are located more accurately.
 const SUNK: f64 = 1e-9;
 
-/// Switches every condition whose guard is past its band at the state `x`; how many did.
+/// Commits the events of all conditions whose guards are past their bands at the state `x`; returns their number.
 ///
-/// A condition may switch another one: it is repeated until none is past, but not for ever.
+/// Conditions may switch each other, so that this is repeated until no guard is past its band, up to a bound.
 ///
 /// # Errors
 /// Those of [`Events::switch`](crate::Events::switch).
@@ -30,13 +30,13 @@ pub fn switch_where_due<M: System<S: Real>>(
     Ok(switched)
 }
 
-/// The same, where guards are violated below their `edges`; gives `each` that switches. A guard that its own event leaves violated, as
-/// that of a ball which has bounced, triggers it again only below where it was left. The guards have passed zero `within` this time; their
-/// values may be known.
+/// Commits events as [`switch_where_due`] does, of guards that are violated below their `edges`; calls `each` for every condition that
+/// switches. A guard that its own event leaves violated, as that of a ball which has bounced, triggers its event again only below that
+/// value. The guards have passed zero `within` this time; their values may be `known`.
 ///
-/// After a step of fixed length a point has sunk in by what it has moved since it struck. A condition that would make another row begin
-/// below its surface there, as that of the riser of a stair, does not hold: the row that was struck leads the point out again. Those are
-/// given, one bit each.
+/// After a step of fixed length a point penetrates by its motion since it struck. A condition that would make another row begin below its
+/// surface there, as that of the riser of a stair, does not switch: the row that was struck leads the point out again. These conditions
+/// are returned, one bit each.
 pub(crate) fn switch_each<M: System<S: Real>>(
     (system, mut edges, within): (&M, M::G, M::S),
     known: Option<&M::G>,
@@ -76,7 +76,7 @@ pub(crate) fn switch_each<M: System<S: Real>>(
     Ok(left)
 }
 
-/// Is a gap negative, after a step of fixed length, or a row that holds away from its place? The guards of contact begin at `rows`.
+/// True if a gap is negative after a step of fixed length, or a constraint row away from its place. The guards of contact begin at `rows`.
 fn has_sunk<M: System<S: Real>>(
     (system, t): (&M, M::S),
     (u, x): &(M::U, M::X),
@@ -88,7 +88,7 @@ fn has_sunk<M: System<S: Real>>(
     (rows..M::G::LEN).any(|i| here.at(i) < -least) || system.drift(t, u, x).phi > least
 }
 
-/// Guards of contact, which stand after those of conditions.
+/// Number of guards of contact, which come after those of conditions.
 fn guards_of_contact<M: System>(system: &M) -> usize {
     match system.contact_count() {
         0 => 0,
@@ -96,27 +96,27 @@ fn guards_of_contact<M: System>(system: &M) -> usize {
     }
 }
 
-/// The guard `index` is beyond its band.
+/// True if the guard `index` is beyond its band.
 pub(super) fn is_violated<M: System<S: Real>>(system: &M, g: &M::G, index: usize) -> bool {
     g.at(index) < -system.band(index)
 }
 
-/// The guard `index` is beyond its band below its edge.
+/// True if the guard `index` is beyond its band below its edge.
 pub(super) fn is_below<M: System<S: Real>>(system: &M, g: &M::G, edges: &M::G, index: usize) -> bool {
     g.at(index) < edges.at(index) - system.band(index)
 }
 
 /// Conditions that have switched.
 pub(super) struct Switched {
-    /// One bit for each condition, of those too that were left beyond their guards.
+    /// One bit for each condition, including those that were left beyond their guards.
     pub(super) conditions: u64,
-    /// How many times.
+    /// Number of switches.
     pub(super) count: u32,
 }
 
-/// Commits the events of the conditions whose guards `here`, at the state reached, are violated; gives those that switched. A guard is
-/// violated below its `residual`. After a step no constraint row may jump; after a change from outside, with a `boundary`, what was
-/// decided there stays. Guards have passed zero `within` the last step.
+/// Commits the events of the conditions whose guards `here`, at the state reached, are violated below their `residual`; returns those that
+/// switched. After a step no constraint row may jump. After a change by the caller, with a `boundary`, the sides decided there stay.
+/// Guards have passed zero `within` the last step.
 pub(super) fn switch_violated<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     here: &M::G,
@@ -164,7 +164,7 @@ pub(super) fn switch_violated<M: System<S: Real>>(
     Ok(Some(switched))
 }
 
-/// Commits the events at the end of a step by itself, of the length `step`, where guards are [`violated`].
+/// Commits the events at the end of a single step, of the length `step`, at which guards are [`violated`].
 #[inline]
 pub(crate) fn switch_at_end<M: System<S: Real>>(
     context: &mut Context<'_, M>,
@@ -176,13 +176,13 @@ pub(crate) fn switch_at_end<M: System<S: Real>>(
     switch_violated(context, violated, (None, M::G::fill(M::S::ZERO)), step).map(|_| ())
 }
 
-/// Are all guards satisfied at a state?
+/// True if all guards are satisfied at a state.
 #[inline]
 pub(crate) fn are_satisfied<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x: &M::X) -> bool {
     violated(system, t, held, x).is_none()
 }
 
-/// The guards at a state, where some are violated or none of them a number.
+/// Guards at a state, if one of them is violated or not finite; `None` otherwise.
 #[inline]
 pub(crate) fn violated<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x: &M::X) -> Option<M::G> {
     let here = guards(system, t, held, x);
@@ -190,8 +190,7 @@ pub(crate) fn violated<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x: 
     (!are_satisfied).then_some(here)
 }
 
-/// The end of a run whose requirement `index` is not met any more, or that has come to a pole or the end of a
-/// domain.
+/// Ends a run whose requirement `index` is no longer satisfied, or that has come to a pole or the end of a domain.
 pub(super) fn required<M: System<S: Real>>(context: &Context<'_, M>, index: usize) -> Result<(), Fault> {
     let (time, name) = (context.time.to_f64(), context.system.guard_name(index));
     if context.system.must_hold(index) {
@@ -200,14 +199,14 @@ pub(super) fn required<M: System<S: Real>>(context: &Context<'_, M>, index: usiz
     context.system.end(index).map_or(Ok(()), |cause| Err(Fault::of_part(time, name, cause)))
 }
 
-/// The fault of a guard that is not decided in a step from a time on: of a pole or a domain the run has come to its end.
+/// Fault of a guard that is undecided in a step from a time on; at a pole or the end of a domain, the end of the run there.
 #[cold]
 pub(super) fn undecided<M: System<S: Real>>(system: &M, time: M::S, index: usize) -> Fault {
     let cause = system.end(index).unwrap_or(Cause::NotDecided);
     Fault::of_part(time.to_f64(), system.guard_name(index), cause)
 }
 
-/// The fault of a requirement that is not met where a run begins, or goes on after a change from outside.
+/// Fault of a requirement that is not satisfied at the start of a run, or after a change by the caller.
 pub(super) fn not_met<M: System<S: Real>>(context: &Context<'_, M>, index: usize, here: &M::G) -> Fault {
     let cause = Cause::NotMet { by: -here.at(index).to_f64() };
     Fault::of_part(context.time.to_f64(), context.system.guard_name(index), cause)

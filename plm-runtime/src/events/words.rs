@@ -1,4 +1,4 @@
-//! What is known of guards as words.
+//! Data of the detector as words.
 
 use super::chattering::Chattering;
 use super::{Detector, Modes};
@@ -6,8 +6,8 @@ use crate::scalar::Real;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
-/// Not what came and went within the last step, which methods without dense output alone have; nor where guards need no look,
-/// which is found again and changes no number.
+/// Words of the detector. Conditions missed in the last step, which only methods without dense output have, are left out; so
+/// is the guard-free region, which is found again and changes no number.
 impl<S: Real, G: Vector<S>> InWords for Detector<S, G> {
     fn each(&mut self, words: &mut impl Words) {
         words.vector(&mut self.residual);
@@ -27,7 +27,7 @@ impl<S: Real, G: Vector<S>> InWords for Detector<S, G> {
         };
         let Chattering { since, count, conditions, has_thrown } = &mut self.chattering;
         words.number(since);
-        // The count is 101 or a little more.
+        // The count is at most 101 or a little more.
         let mut all = u64::from(*count).min(0x7F) | u64::from(*has_thrown) << 7 | *conditions << 8;
         words.word(&mut all);
         (*count, *has_thrown, *conditions) = ((all & 0x7F) as u32, all & 0x80 != 0, all >> 8);

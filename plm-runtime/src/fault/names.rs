@@ -11,7 +11,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// How many names are kept; of the others only their number is.
+    /// How many names are stored; the others are only counted.
     pub const CAPACITY: usize = 8;
 
     /// The names of the table that are marked, each once.
@@ -32,7 +32,7 @@ impl Names {
         self.len = self.len.saturating_add(1);
     }
 
-    /// The names that were kept, in the order of the declaration.
+    /// The stored names, in the order of the declaration.
     pub fn iter(&self) -> impl Iterator<Item = &'static str> {
         let listed = self.listed.into_iter().take(usize::from(self.len));
         listed.filter_map(|i| self.table.get(usize::from(i)).copied())
@@ -61,7 +61,7 @@ impl Names {
         }
     }
 
-    /// How many names were given that were not kept.
+    /// How many names were given that were not stored.
     pub fn unlisted(&self) -> usize {
         usize::from(self.len).saturating_sub(Self::CAPACITY)
     }

@@ -6,7 +6,7 @@ use super::{Cause, Names};
 
 const LOCKS_UP: &str = "its loop cannot be closed beyond this pose: the mechanism locks up";
 
-/// An error of so many times the state is told by that alone.
+/// An error of so many times the state or more is reported by this bound alone.
 const MANY: f64 = 10.0;
 
 impl fmt::Display for Cause {
@@ -133,7 +133,7 @@ impl fmt::Display for Cause {
     }
 }
 
-/// A number with three digits: what is wrong is not told better by more.
+/// A number with three digits: more would not explain a fault better.
 struct Short(f64);
 
 impl fmt::Display for Short {
@@ -173,7 +173,7 @@ fn interval(f: &mut fmt::Formatter<'_>, length: f64) -> fmt::Result {
     write!(f, "an interval of {length} s cannot be integrated")
 }
 
-/// What repeats what, and why that may be.
+/// Text for redundant joints: what repeats what, and why that may be.
 fn repeats(f: &mut fmt::Formatter<'_>, joints: &Names) -> fmt::Result {
     write!(
         f,
@@ -200,7 +200,7 @@ fn not_met(f: &mut fmt::Formatter<'_>, by: f64) -> fmt::Result {
     write!(f, "the motion leaves this requirement at once, which holds by {} in SI units", Short(by.abs()))
 }
 
-/// What jumps, and what to do.
+/// Text for a jump: what jumps, and what to do.
 fn jump(f: &mut fmt::Formatter<'_>, by: f64, unit: &str, speed: bool) -> fmt::Result {
     if speed {
         return write!(
@@ -212,8 +212,7 @@ fn jump(f: &mut fmt::Formatter<'_>, by: f64, unit: &str, speed: bool) -> fmt::Re
     write!(f, "the place that this row holds jumps by {} {unit}; its sides must agree", Short(by))
 }
 
-/// Which of the two residuals it is, and what to do.
-/// What contact and friction have no answer to.
+/// Texts for faults of contact and friction.
 fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
     match cause {
         Cause::Impact { tried } => write!(
@@ -258,6 +257,7 @@ fn contact(f: &mut fmt::Formatter<'_>, cause: &Cause) -> fmt::Result {
     }
 }
 
+/// Text for drift: which of the two residuals it is, and what to do.
 fn drift(f: &mut fmt::Formatter<'_>, phi: f64, phi_dot: f64) -> fmt::Result {
     // The projection takes positions to rounding wherever joints can be closed: velocities that it cannot take there contradict
     // each other.

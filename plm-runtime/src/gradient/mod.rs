@@ -1,4 +1,4 @@
-//! Mechanisms and runs that are derived by parameters, start values, states and inputs, which are given by their names.
+//! Derivatives of mechanisms and runs by parameters, start values, states and inputs, which are given by their names.
 
 mod moment;
 mod step;
@@ -65,13 +65,13 @@ impl fmt::Debug for Unknown<'_> {
 
 impl core::error::Error for Unknown<'_> {}
 
-/// The same mechanism in numbers with derivatives: in direction k by what `by` has there, per SI unit.
+/// The mechanism in numbers with derivatives: direction k is the variable `by[k]`, per SI unit.
 ///
-/// Its run makes the same steps to the same bits, but that steps which are chosen end where derivatives of the rate jump (`max`, `abs`, an
-/// `if` without a jump); every quantity has its derivatives, exact for the steps that were made; of times of events, impacts and changes of
-/// modes as well. A run ends with [`Cause::Grazes`](crate::Cause::Grazes),
-/// [`Cause::AtOnce`](crate::Cause::AtOnce) or [`Cause::AtLimit`](crate::Cause::AtLimit) where there are none; [`with_side`] has those of either side.
-/// One by lengths ends with [`Cause::ChangePoint`](crate::Cause::ChangePoint) where a loop goes through a pose that it has by these lengths alone.
+/// Its run makes the same steps to the same bits, except that steps of variable length end where derivatives of the rate jump (`max`,
+/// `abs`, an `if` without a jump); every quantity has its derivatives, exact for the steps that were made; those of times of events,
+/// impacts and changes of modes as well. A run ends with [`Cause::Grazes`](crate::Cause::Grazes), [`Cause::AtOnce`](crate::Cause::AtOnce)
+/// or [`Cause::AtLimit`](crate::Cause::AtLimit) if it has no derivatives; [`with_side`] has those of either side. A run derived by lengths
+/// ends with [`Cause::ChangePoint`](crate::Cause::ChangePoint) if a loop goes through a pose that exists for these lengths alone.
 ///
 /// # Errors
 /// The first name that the mechanism does not have.
@@ -88,10 +88,11 @@ where
     Ok(lifted)
 }
 
-/// The same mechanism in numbers that are recorded: variable k of the trace is what `by` has there, in SI units.
+/// The mechanism in numbers that are recorded: variable k of the trace is `by[k]`, in SI units.
 ///
-/// Its run makes the steps of [`with_derivatives`] to the same bits, and ends as that where there are none.
-/// [`adjoint`](crate::adjoint::adjoint) derives it. Two events at one time end it, since whether they stay together is not known on the way.
+/// Its run makes the steps of [`with_derivatives`] to the same bits, and ends as that if there are no derivatives.
+/// [`adjoint`](crate::adjoint::adjoint) computes them. Two events at one time end the run, since the forward sweep cannot know whether they
+/// stay together.
 ///
 /// # Errors
 /// The first name that the mechanism does not have.
@@ -109,11 +110,11 @@ where
     Ok(own)
 }
 
-/// The same mechanism in numbers with the derivative of one side: of what `by` has, where that goes to this side a little.
+/// The mechanism in numbers with a one-sided derivative: by the variable `by`, which moves a little to `side`.
 ///
-/// Where a run has no derivatives ([`with_derivatives`]) it has those of either side. Of two events at one time that one happens which
-/// comes first on this side; a condition that a motion only touches is not met where the motion keeps away from it. Friction and gaps
-/// at their limits go on as they do on this side. [`Side::derivative`] gives the derivative of a result.
+/// A run without derivatives ([`with_derivatives`]) has those of either side. Of two events at one time, the one happens that comes first
+/// on this side; a condition that a motion only touches is not met if the motion moves away from it. Friction and gaps at their limits go
+/// on as they do on this side. [`Side::derivative`] gives the derivative of a result.
 ///
 /// A run to the other side of a touch has none, since there it is infinite: it ends with [`Cause::Grazes`](crate::Cause::Grazes).
 ///
@@ -168,7 +169,7 @@ fn varied<S: Scalar>(number: S, by: &[By<'_>], index: usize, variable: impl Fn(S
     if is_again { number + variable(S::ZERO, index) } else { variable(number, index) }
 }
 
-/// The same of parameters alone.
+/// As [`vary`], for parameters alone.
 fn vary_parameters<'a, M: Described>(
     own: &mut M,
     by: &[By<'a>],

@@ -59,7 +59,7 @@ where
         self.moment.mechanism().name_in_chart(&self.moment.held(), row)
     }
 
-    /// What a column is derived by.
+    /// Variable of differentiation of a column.
     pub fn column(&self, column: usize) -> Option<By<'a>> {
         self.by.get(column).copied()
     }

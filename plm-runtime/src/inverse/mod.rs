@@ -52,7 +52,7 @@ pub struct Inverse<'a, S, const TARGETS: usize, const DRIVES: usize> {
 /// A wanted motion of the targets at a time, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted<S, const TARGETS: usize> {
-    /// Places, m or rad; whole turns count. Those of [`Target::Rate`] and [`Target::Value`] are not read.
+    /// Places, m or rad; angles include revolutions. Those of [`Target::Rate`] and [`Target::Value`] are not read.
     pub place: [S; TARGETS],
     /// Velocities; of a [`Target::Rate`] the quantity itself. Those of [`Target::Value`] are not read.
     pub velocity: [S; TARGETS],
@@ -112,7 +112,7 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
     }
 
     /// The inputs, SI, that give the targets the wanted accelerations at a moment, in the modes of its conditions and contacts. Frictions
-    /// that stick and hold a target slip to the side to which the wanted accelerations move them.
+    /// that stick and prevent a target from moving slip to the side to which the wanted accelerations move them.
     ///
     /// # Errors
     /// [`Unsolved`]: a target that no input moves, targets that cannot move so together, a mode that the inputs would end.
@@ -128,7 +128,7 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
         self.inputs_in_modes(state, wanted).or_else(|held| self.inputs_from_rest(state, wanted, held))
     }
 
-    /// The same in the modes of the state.
+    /// As [`inputs`](Self::inputs), in the modes of the state.
     fn inputs_in_modes<T>(&self, state: &T, wanted: [S; TARGETS]) -> Result<[S; DRIVES], Unsolved<'a>>
     where
         T: Moment<M: Invertible<DRIVES, S = S, State = T>>,
@@ -312,7 +312,7 @@ fn is_solution<S: Real, const TARGETS: usize, const DRIVES: usize>(
             change = slope.mul_add((next[j] - inputs[j]).abs(), change);
         }
         let misses = (wanted[i] - now.values[i]).abs();
-        // False for what is not a number.
+        // False for NaN.
         change <= S::RANK_TOLERANCE * size && misses <= S::RANK_TOLERANCE * size
     })
 }

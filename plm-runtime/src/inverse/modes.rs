@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 use crate::system::{Events, Labels};
 use crate::vector::Vector;
 
-/// Looks whether the inputs of `after` end a mode of the state, which `before` has with the inputs of the last step.
+/// Checks that the inputs of `after` end no mode of the state; `before` has the inputs of the last step.
 ///
 /// # Errors
 /// [`Unsolved::Mode`] with the first condition whose guard these inputs take past zero.

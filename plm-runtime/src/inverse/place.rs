@@ -84,7 +84,8 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
         Ok(self.placed(of, time, wanted)?.0)
     }
 
-    /// The same, and how many freedoms the targets leave. A way that is too long for one step of the loops is gone in parts.
+    /// As [`place`](Self::place), with the number of freedoms that the targets leave. A distance too long for one step of the loops is
+    /// divided.
     pub(super) fn placed<T>(
         &self,
         of: &T,
@@ -119,7 +120,7 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
         }
     }
 
-    /// The same in one step.
+    /// As [`placed`](Self::placed), in one step.
     fn placed_at_once<T>(
         &self,
         of: &T,
@@ -135,7 +136,7 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
             let system = self.linear::<T>(&at, wanted);
             let step = system.solution();
             x.add([(S::lit(1.0), &step)]);
-            // False for what is not a number.
+            // False for NaN.
             let is_small = |i: usize| step.at(i).abs() <= S::RANK_TOLERANCE * (S::lit(1.0) + x.at(i).abs());
             if (0..<T::M as Rate>::X::LEN).all(is_small) {
                 self.is_reached(&T::new(*mechanism, held, time, x), wanted)?;
@@ -189,7 +190,7 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
         let (mut worst, mut of) = (S::lit(0.0), None);
         self.rows(at, None, wanted, &mut |(_, target, row): Row<S>| {
             let misses = row.value.abs();
-            // What is not a number is worst of all, and stays so.
+            // NaN is worst of all, and stays so.
             if misses > worst || !misses.is_finite() {
                 (worst, of) = (misses, target);
             }

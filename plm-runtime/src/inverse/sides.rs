@@ -15,7 +15,7 @@ use crate::system::Events;
 const SETTING_OFF: f64 = 1e-3;
 
 impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARGETS, DRIVES> {
-    /// The moment at a time at which the targets are where they are wanted; frictions that stick are let go where they would hold a target.
+    /// The moment at a time with the targets at their wanted places; frictions that stick are released if they would prevent that.
     ///
     /// # Errors
     /// As [`place`](Self::place).
@@ -32,10 +32,10 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
             .or_else(|refused| if sticks(of) { self.placed(&let_go(of), time, wanted) } else { Err(refused) })
     }
 
-    /// The same moment with the modes of contacts that the wanted motion gives it.
+    /// The moment with the modes of contacts that the wanted motion gives it.
     ///
     /// # Errors
-    /// Where no modes satisfy the laws of contact.
+    /// [`Unsolved::Fault`] if no modes satisfy the laws of contact.
     pub(super) fn with_sides<T>(
         &self,
         state: &T,
@@ -84,8 +84,8 @@ impl<'a, S: Real, const TARGETS: usize, const DRIVES: usize> Inverse<'a, S, TARG
         Wanted { velocity, ..*wanted }
     }
 
-    /// The inputs for wanted accelerations where frictions stick, and hold a target: `held` says which. A target that is wanted at rest
-    /// keeps the inputs of the moment.
+    /// The inputs for wanted accelerations if frictions stick and prevent a target from moving: `held` is the reason why there were none. A
+    /// target that is wanted at rest keeps the inputs of the moment.
     ///
     /// # Errors
     /// `held` where no friction is let go, or not in this way.

@@ -140,7 +140,7 @@ fn step<M: Pack<S = f64>, L: Lanes, F: Formula>(
     side.x = next;
 }
 
-/// The same step of those lanes that do not coast (1 in those that do), in ordinary numbers, each as it would be made alone.
+/// Makes the step of those lanes that do not coast (1 in those that do), in ordinary numbers, each as it would be made alone.
 #[inline(never)]
 fn apart<M: Pack<S = f64>, L: Lanes, F: Formula>(
     lanes: &mut [Fixed<M, F>; LANES],

@@ -96,13 +96,13 @@ impl<M: Pack<S = f64>, F: Formula> Fixed<'_, M, F> {
         M::chart(&self.context.held).filter(|_| self.runs && regular)
     }
 
-    /// Its steps may be made with the others' where nothing is to be looked at.
+    /// True if its steps may be made with the others' as long as nothing is to be checked.
     pub(super) fn coasts(&self) -> bool {
         self.limits.energy_jump.is_none()
     }
 
-    /// Makes the step `number` with the others if one that is [watched](Pack::WATCHED) needs no more. The states before and
-    /// after it are asked for where they are looked at.
+    /// Makes the step `number` with the others if one that is [watched](Pack::WATCHED) needs no more. The states before and after it are
+    /// computed only if they are checked.
     #[inline]
     pub(super) fn coast(
         &mut self,
@@ -139,7 +139,7 @@ impl<M: Pack<S = f64>, F: Formula> Fixed<'_, M, F> {
         self.counted = number;
     }
 
-    /// Makes the step `number` of the partition from the state `x`, to `next` if that is known, with its health, and looks at it.
+    /// Makes the step `number` of the partition from the state `x`, to `next` if that is known, with its health, and checks it.
     pub(super) fn step(
         &mut self,
         (time, partition, number): (f64, &Partition<f64>, u64),

@@ -1,7 +1,7 @@
 //! Several trajectories of one mechanism side by side, one in each lane of vectors.
 //!
 //! The equations are straight-line code for any [`Scalar`], so a number that holds a value for every lane runs them for
-//! all lanes at once. What is decided on data (rank, charts, projection) is decided lane by lane, in ordinary numbers.
+//! all lanes at once. Decisions on data (rank, charts, projection) are made lane by lane, in ordinary numbers.
 
 mod batch;
 mod lane;
@@ -37,7 +37,7 @@ pub trait Lanes: Scalar {
 
 /// A mechanism of which several can be packed into one; implemented by generated code.
 pub trait Pack: Mechanism {
-    /// The same equations in other numbers.
+    /// These equations with numbers of another type.
     type Packed<T: Scalar>: Rate<S = T>;
 
     /// Several mechanisms as one, whose parameters `number` makes of theirs; it cannot be assembled (its starts are
@@ -48,33 +48,33 @@ pub trait Pack: Mechanism {
         number: impl Fn([Self::S; N]) -> T,
     ) -> Self::Packed<T>;
 
-    /// What several mechanisms hold over a step as one; the chart is that of `first`.
+    /// Packs the discrete states of several mechanisms into one; the chart is that of `first`.
     fn pack_held<T: Scalar, const N: usize>(
         first: &Self::U,
         all: [&Self::U; N],
         number: impl Fn([Self::S; N]) -> T,
     ) -> <Self::Packed<T> as Rate>::U;
 
-    /// Puts what `one` holds, in the same chart, into its lane of what several hold, but for inputs, which stay over an interval;
-    /// `put` does so with a number.
+    /// Copies the discrete state `one`, in the same chart, into its lane of `wide`, except for inputs, which are constant during an
+    /// interval; `put` copies a number.
     fn put_held<T: Scalar>(
         wide: &mut <Self::Packed<T> as Rate>::U,
         one: &Self::U,
         put: impl Fn(&mut T, Self::S),
     );
 
-    /// The chart that is held, from 0; none where no chart is good.
+    /// Number of the present chart, from 0; none if there is no chart.
     fn chart(held: &Self::U) -> Option<usize>;
 
-    /// Steps are looked at one by one even where nothing else is to be looked at: for their drift from the constraints, and for
-    /// poses that are nearly singular.
+    /// True if every step is checked by itself, even if nothing else is to be checked: for its drift from the constraints, and for poses
+    /// that are nearly singular.
     const WATCHED: bool;
 
-    /// Whether [`Constraints::update`](crate::Constraints::update) has nothing to do at a state.
+    /// True if [`Constraints::update`](crate::Constraints::update) has nothing to do at a state.
     fn is_calm(&self, t: Self::S, held: &Self::U, x: &Self::X) -> bool;
 
-    /// The same of several states side by side, with the typical size of each number: 1 in the lanes where it has nothing to
-    /// do, 0 elsewhere.
+    /// As [`is_calm`](Self::is_calm), for states side by side, with the typical size of each number: 1 in the lanes where there is nothing
+    /// to do, 0 elsewhere.
     fn are_calm<T: Scalar>(
         typical: &<Self::Packed<T> as Rate>::X,
         t: T,
@@ -82,16 +82,16 @@ pub trait Pack: Mechanism {
         x: &<Self::Packed<T> as Rate>::X,
     ) -> T;
 
-    /// Whether steps between two states are short beside the turns that mechanisms make next to a flat pose, with the typical
-    /// size of each number: 1 in the lanes where they surely are, 0 elsewhere.
+    /// 1 in the lanes where a step between two states is surely short compared with the turns that mechanisms make next to a flat pose, 0
+    /// elsewhere; `typical` has the typical size of each number.
     fn are_short<T: Scalar>(
         typical: &<Self::Packed<T> as Rate>::X,
         held: &<Self::Packed<T> as Rate>::U,
         ends: [&<Self::Packed<T> as Rate>::X; 2],
     ) -> T;
 
-    /// [`Constraints::update`](crate::Constraints::update) of several states side by side, in the lanes in which that is `due` (1, else 0): 1 in those where it
-    /// changes nothing but what is remembered, which is done; 0 elsewhere.
+    /// [`Constraints::update`](crate::Constraints::update) of several states side by side, in the lanes in which that is `due` (1, else 0):
+    /// 1 in those in which it changes nothing but continuation data, which is done; 0 elsewhere.
     fn look<T: Scalar>(
         all: &Self::Packed<T>,
         t: T,
@@ -100,16 +100,16 @@ pub trait Pack: Mechanism {
         due: T,
     ) -> T;
 
-    /// What `one` holds of its loops becomes that of its lane, in the same chart; `take` gives a number of that lane.
+    /// Copies the discrete state of the loops from its lane of `wide` to `one`, in the same chart; `take` gives a number of that lane.
     fn take_held<T: Scalar>(
         one: &mut Self::U,
         wide: &<Self::Packed<T> as Rate>::U,
         take: impl Fn(T) -> Self::S,
     );
 
-    /// Makes the steps of time that are `proposed`, each to the bits of [`Events::stride`](crate::Events::stride). With rows of contact their
-    /// motion is computed at once: `all`, what they hold, steps and states are those of all lanes as one, in a chart that the lanes of these
-    /// steps have in common, and `take` gives the value of a lane.
+    /// Makes the steps of time that are `proposed`, each to the bits of [`Events::stride`](crate::Events::stride). With rows of contact
+    /// their motion is computed at once: `all` (with the discrete state), steps and states are those of all lanes as one, in a chart that
+    /// the lanes of these steps have in common, and `take` gives the value of a lane.
     fn packed_steps<T: Scalar, const K: usize>(
         all: (&Self::Packed<T>, &<Self::Packed<T> as Rate>::U),
         steps: (&Stride<T>, &<Self::Packed<T> as Rate>::X),

@@ -9,7 +9,7 @@ use crate::vector::Vector;
 
 /// Eight states as one.
 pub(super) type Wide<M, L> = <<M as Pack>::Packed<L> as Rate>::X;
-/// What is held over a step in eight lanes, as one.
+/// Discrete state of eight lanes, as one.
 pub(super) type WideHeld<M, L> = <<M as Pack>::Packed<L> as Rate>::U;
 
 /// The lanes as one mechanism in one state.
@@ -25,7 +25,7 @@ pub(super) struct Side<M: Pack<S = f64>, L: Lanes> {
     coasting: L,
     /// 1 in the lanes that have not stopped, 0 elsewhere.
     pub(super) running: L,
-    /// Lanes have been looked at together, and do not know it yet.
+    /// True if lanes were checked together, and their own discrete states do not have the result yet.
     looked: bool,
 }
 
@@ -63,14 +63,13 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
         (next, L::select(zero.lt(coarseness), zero, health.0))
     }
 
-    /// Looks at the states that a step has led to where that is due: 1 in the lanes that go on from them as they are, 0 where
-    /// more is to be done.
+    /// Checks the states after a step if that is due: 1 in the lanes that go on from them as they are, 0 where more is to be done.
     #[inline]
     pub(super) fn coast(&mut self, time: f64, next: &Wide<M, L>, health: L) -> L {
         let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let short = M::are_short(&self.typical, &self.held, [&self.x, next]) * self.coasting;
         let fits = L::select(L::lit(f64::HEALTHY).lt(health), short, zero);
-        // Zero times a number that is none is none.
+        // Zero times a value that is not finite is NaN.
         let sum = next.fold(zero, |sum, number| number.mul_add(zero, sum));
         let fits = L::select(sum.lt(one), fits, zero);
         let calm = fits * M::are_calm(&self.typical, L::lit(time), &self.held, next);
@@ -81,7 +80,7 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
         calm + M::look(&self.mechanism, L::lit(time), &mut self.held, next, fits - calm)
     }
 
-    /// Tells the lanes what is remembered of them.
+    /// Copies continuation data to the discrete states of the lanes.
     #[inline]
     pub(super) fn tell<F: Formula>(&mut self, lanes: &mut [Fixed<M, F>; LANES]) {
         if !self.looked {
@@ -110,7 +109,7 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
         }
     }
 
-    /// Counts who goes with the others, and who runs.
+    /// Counts which lanes go with the others, and which run.
     fn count<F: Formula>(&mut self, lanes: &[Fixed<M, F>; LANES]) {
         let number = |is: bool| if is { 1.0 } else { 0.0 };
         let mut joined = self.joined.into_iter();
@@ -120,14 +119,14 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
     }
 }
 
-/// What the lanes hold, as one, in the chart of most, and which lanes are in that.
+/// Packs the discrete states of the lanes into one, in the chart of most, with which lanes are in that chart.
 fn hold<M: Pack<S = f64>, L: Lanes, F: Formula>(
     lanes: &[Fixed<M, F>; LANES],
 ) -> (WideHeld<M, L>, [bool; LANES]) {
     hold_together::<M, L>(lanes.each_ref().map(|lane| (&lane.context.held, lane.place())))
 }
 
-/// What lanes hold, each in the chart that it can share, as one in the chart of most, and which lanes are in that.
+/// Packs discrete states, each in the chart that it can share, into one in the chart of most, with which lanes are in that chart.
 pub(super) fn hold_together<M: Pack<S = f64>, L: Lanes>(
     lanes: [(&M::U, Option<usize>); LANES],
 ) -> (WideHeld<M, L>, [bool; LANES]) {

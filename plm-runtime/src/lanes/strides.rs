@@ -74,7 +74,7 @@ fn run<M: Pack<S = f64>, L: Lanes>(lanes: &mut [Strider<M>; LANES]) {
     }
 }
 
-/// The lanes as one mechanism, with what they hold.
+/// The lanes as one mechanism, with their discrete states.
 struct Side<M: Pack<S = f64>, L: Lanes> {
     mechanism: M::Packed<L>,
     held: WideHeld<M, L>,
@@ -83,7 +83,7 @@ struct Side<M: Pack<S = f64>, L: Lanes> {
     places: [Option<usize>; LANES],
     /// Which lanes are in the chart of most.
     joined: [bool; LANES],
-    /// What their steps have given.
+    /// Results of their steps.
     made: [Option<Result<Solution<f64>, Fault>>; LANES],
 }
 
@@ -113,7 +113,7 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
         }
     }
 
-    /// Steps of the lanes in the chart of most, to the discrete states that they hold from then on and to the states `next`.
+    /// Steps of the lanes in the chart of most, to their next discrete states and to the states `next`.
     fn propose(&mut self, lanes: &mut [Strider<M>; LANES], next: &mut [M::X; LANES]) {
         let strides = lanes.each_ref().map(|lane| lane.method.stride(lane.context.time));
         let number = |of: fn(&Stride<f64>) -> f64| L::of(strides.each_ref().map(of));
@@ -131,7 +131,7 @@ impl<M: Pack<S = f64>, L: Lanes> Side<M, L> {
         M::packed_steps((&self.mechanism, &self.held), (&stride, &self.x), proposed, L::value);
     }
 
-    /// What lanes hold that have done more than to make a step.
+    /// Packs again the discrete states of lanes that have done more than to make a step.
     #[inline(never)]
     fn renew(&mut self, lanes: &[Strider<M>; LANES]) {
         let places = places(lanes);

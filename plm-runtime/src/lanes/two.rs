@@ -14,7 +14,7 @@ use crate::vector::Vector;
 pub struct Two<S>(pub [S; 2]);
 
 impl<S: Scalar> Two<S> {
-    /// The same value twice.
+    /// A number with two equal values.
     #[inline(always)]
     #[must_use]
     pub fn both(s: S) -> Self {
@@ -28,7 +28,7 @@ impl<S: Scalar> Two<S> {
         if SECOND { second } else { first }
     }
 
-    /// What two states begin with, as one.
+    /// The first numbers of two states, as one.
     #[inline(always)]
     #[must_use]
     pub fn beginning<const N: usize, const K: usize>([first, second]: [&[S; N]; 2]) -> [Self; K] {

@@ -88,7 +88,7 @@ impl<S: Real, const N: usize> Derivatives<S, [S; N]> for AtRunTime<S, N> {
         self.solve(pattern, (entry, inverse), nq, (r, each));
     }
 
-    /// What were coefficients becomes zeros.
+    /// The full matrix; coefficients, if there were some, become zeros.
     fn full(&mut self) -> Option<&mut [[S; N]; N]> {
         if self.pattern.take().is_some() {
             self.numbers = <[S; N]>::zeros();
@@ -96,7 +96,7 @@ impl<S: Real, const N: usize> Derivatives<S, [S; N]> for AtRunTime<S, N> {
         Some(&mut self.numbers)
     }
 
-    /// Without the pattern: who reads coefficients has it.
+    /// Without the pattern: code that reads coefficients has it.
     fn in_words(&mut self, words: &mut impl Words) {
         self.numbers.in_words(words);
     }

@@ -4,7 +4,7 @@ use core::ops::{Add, Mul, Sub};
 
 use crate::scalar::Real;
 
-/// A number that a matrix may hold: real or complex.
+/// An entry of a matrix: real or complex.
 pub trait Entry<S>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// The real number as such an entry.
     fn real(s: S) -> Self;

@@ -15,7 +15,7 @@ pub struct Lu<T, const N: usize> {
 }
 
 impl<T, const N: usize> Lu<T, N> {
-    /// Of the first `order` rows and columns; none if a column has no pivot: zeros only, or what is not a number.
+    /// Of the first `order` rows and columns; none if a column has no pivot: zeros only, or NaN.
     pub fn new<S: Real>(rows: [[T; N]; N], order: usize) -> Option<Self>
     where
         T: Entry<S>,
@@ -58,7 +58,7 @@ impl<T, const N: usize> Lu<T, N> {
         true
     }
 
-    /// Solves A y = b in place; what stands beyond the order is not looked at.
+    /// Solves A y = b in place; entries beyond the order are not read.
     pub fn solve<S: Real>(&self, b: &mut [T; N])
     where
         T: Entry<S>,

@@ -8,9 +8,9 @@ use crate::words::Words;
 /// One of two forms of derivatives; the second holds the full matrix.
 #[derive(Clone, Copy, Debug)]
 pub enum Mixed<A, B> {
-    /// What costs less.
+    /// The form that costs less.
     Sparse(A),
-    /// What can be had by rank too.
+    /// The form that a solution by rank can also give.
     Full(B),
 }
 
@@ -84,7 +84,7 @@ impl<S: Real, X: Dense<S>, A: Derivatives<S, X>, B: Derivatives<S, X>> Derivativ
         }
     }
 
-    /// Both forms, of which one holds nothing.
+    /// Both forms, of which the unused one is zero.
     fn in_words(&mut self, words: &mut impl Words) {
         let (mut is_full, mut sparse, mut full) = match *self {
             Mixed::Sparse(sparse) => (false, sparse, B::zeros()),

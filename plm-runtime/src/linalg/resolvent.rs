@@ -31,7 +31,7 @@ pub trait Derivatives<S: Real, X: Dense<S>>: Copy {
     /// Decomposes lambda I - J where it is to stay, where the first `nq` rows of J say q' = v; false if it is singular.
     #[must_use]
     fn decompose<T: Entry<S>>(&self, lambda: T, nq: usize, into: &mut Self::Resolvent<T>) -> bool;
-    /// The same by value; none if it is singular.
+    /// As [`decompose`](Self::decompose), by value; `None` if it is singular.
     #[inline]
     fn resolvent<T: Entry<S>>(&self, lambda: T, nq: usize) -> Option<Self::Resolvent<T>> {
         let mut resolvent = self.room();
@@ -62,7 +62,7 @@ pub trait Derivatives<S: Real, X: Dense<S>>: Copy {
             |i, complex| each(i, Both { real: first.at(i), complex }),
         );
     }
-    /// The matrix J, where it is held as such.
+    /// The matrix J, if it is stored as such.
     fn full(&mut self) -> Option<&mut X::Matrix>;
     /// Shows all numbers, always as many.
     fn in_words(&mut self, words: &mut impl Words);

@@ -1,4 +1,4 @@
-//! Augmented linear systems whose pattern the compiler found: elimination in work that grows with what is there.
+//! Augmented linear systems whose pattern the compiler found: elimination in work that grows with the number of entries.
 
 use core::marker::PhantomData;
 
@@ -7,7 +7,7 @@ use super::resolvent::{Dense, Derivatives};
 use crate::scalar::Real;
 use crate::words::Words;
 
-/// What a coefficient of an augmented system multiplies.
+/// Factor of a coefficient of an augmented system: the unknown or one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// The unknown itself: a first-order state, or one that is neither state nor coordinate.
@@ -31,9 +31,9 @@ pub struct Term {
     pub row: u32,
     /// The unknown: coordinates first, then first-order states, then all others.
     pub column: u32,
-    /// Where both meet among the entries.
+    /// Index of the entry of this row and column.
     pub entry: u32,
-    /// What of the unknown is multiplied.
+    /// Factor of the coefficient: the unknown or one of its derivatives.
     pub part: Part,
 }
 
@@ -48,18 +48,18 @@ pub struct Below {
     pub across: u32,
 }
 
-/// A pivot, with what stands below and right of it when its turn comes.
+/// A pivot, with the entries below and right of it at its turn in the elimination.
 #[derive(Clone, Copy, Debug)]
 pub struct Pivot {
     /// The equation, and the unknown that it is solved for.
     pub row: u32,
     /// Place of the entry.
     pub entry: u32,
-    /// Where the pivot's part of [`Pattern::below`] begins and ends.
+    /// Begin and end of the pivot's part of [`Pattern::below`].
     pub below: [u32; 2],
-    /// The same of [`Pattern::right`].
+    /// Begin and end of its part of [`Pattern::right`].
     pub right: [u32; 2],
-    /// Where its part of [`Pattern::targets`] begins: below by below, right by right.
+    /// Begin of its part of [`Pattern::targets`]: below by below, right by right.
     pub targets: u32,
 }
 
@@ -90,10 +90,10 @@ pub trait Patterned: Copy {
 
 /// Linearised equations of motion before anything is eliminated, as `COEFFICIENTS` numbers.
 ///
-/// Beside coordinates and first-order states they hold unknowns that tie neighbours only (accelerations of bodies, forces
-/// in joints), so that there are few entries, and eliminating outwards to inwards makes few more: along a chain the work
-/// grows with the number of bodies, where df/dx is full (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, 8.8, on
-/// branch-induced sparsity; I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for Sparse Matrices, 1986, chapter 10).
+/// Beside coordinates and first-order states they have unknowns that tie neighbours only (accelerations of bodies, forces in joints), so
+/// that there are few entries, and eliminating outwards to inwards makes few more: along a chain the work grows with the number of bodies,
+/// while df/dx is full (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, 8.8, on branch-induced sparsity; I. S. Duff, A. M. Erisman,
+/// J. K. Reid, Direct Methods for Sparse Matrices, 1986, chapter 10).
 #[derive(Clone, Copy, Debug)]
 pub struct Sparse<S, P, const COEFFICIENTS: usize, const ENTRIES: usize, const UNKNOWNS: usize> {
     /// The coefficients.
@@ -151,7 +151,7 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
         solve((&P::PATTERN, &self.coefficients), (entry, resolvent.inverse), nq, (r, each), work);
     }
 
-    /// In one walk along the pattern, which costs more than the arithmetic.
+    /// Traverses the pattern once, which costs more than the arithmetic.
     fn resolve_both(
         &self,
         (real, complex): (&Eliminated<S, E>, &Eliminated<Complex<S>, E>),
@@ -245,9 +245,9 @@ fn eliminate<S: Real, T: Entry<S>>(pattern: &Pattern, entries: &mut [T], made_of
 
 /// Room for a solution, zeros at first.
 pub(super) struct Work<'a, T> {
-    /// Of each coordinate r_q, and what the coefficients of its place are multiplied by.
+    /// Of each coordinate r_q, and the factor of the coefficients of its position.
     of_positions: [&'a mut [T]; 2],
-    /// What coefficients of second derivatives and rates are multiplied by.
+    /// Factors of the coefficients of second derivatives and rates.
     by_rate: &'a mut [T],
     /// The right-hand side of each equation, later its unknown.
     b: &'a mut [T],

@@ -1,4 +1,4 @@
-//! What methods with error control share: the rate that is kept, the length of the next step.
+//! Common parts of methods with error control: the stored rate, the length of the next step.
 
 use super::{Context, not_finite};
 use crate::fault::{Cause, Fault};
@@ -11,19 +11,19 @@ use crate::words::{InWords, Words};
 macro_rules! builders {
     ([$($generics:tt)*] $method:ty) => {
         impl<$($generics)*> $method {
-            /// The same with steps of at most `longest_step`, in s.
+            /// This method with steps of at most `longest_step`, in s.
             #[must_use]
             pub fn with_longest_step(self, longest_step: M::S) -> Self {
                 Self { longest_step, ..self }
             }
 
-            /// The same with at most so many steps, accepted and rejected, in one interval.
+            /// This method with at most so many steps, accepted and rejected, in one interval.
             #[must_use]
             pub fn with_most_steps(self, most_steps: u64) -> Self {
                 Self { most_steps, ..self }
             }
 
-            /// The tolerance in use: at least some units in the last place.
+            /// Tolerance in use: at least some units in the last place.
             fn tolerance(&self) -> M::S {
                 self.rtol.max(M::S::lit(8.0) * M::S::EPSILON)
             }
@@ -32,7 +32,7 @@ macro_rules! builders {
 }
 pub(super) use builders;
 
-/// Rate at the current state, kept from the last step or evaluated.
+/// Rate at the current state, stored from the last step or evaluated.
 pub(super) fn rate_here<M: System<S: Real>>(
     kept: &mut Option<M::X>,
     context: &mut Context<'_, M>,
@@ -50,14 +50,14 @@ pub(super) fn rate_here<M: System<S: Real>>(
     Ok(rate)
 }
 
-/// Length of the next step, and whether it is the last: the proposal, stretched by 1 % at most to hit the end rather than be
-/// followed by a tiny one. It is counted down from the steps that are left of `most`.
+/// Length of the next step, and true if it is the last: the proposal, stretched by at most 1 % to reach the end, so that no
+/// tiny step follows. The interval may take `most` steps.
 pub(super) fn next_step<M: System<S: Real>>(
     most: u64,
     context: &Context<'_, M>,
     proposal: M::S,
 ) -> Result<(M::S, bool), Fault> {
-    // Where nothing is integrated, steps are looks at what moves as it is told to: as many as it takes.
+    // Without states to integrate, steps only follow prescribed motions: their number is not limited.
     if context.system.states() > 0 {
         context.check_steps(most)?;
     }
@@ -65,17 +65,17 @@ pub(super) fn next_step<M: System<S: Real>>(
     if M::S::lit(1.01) * proposal >= rest {
         Ok((rest, true))
     } else if proposal > shortest(context) {
-        // Lengths are values: one that moved with an event would pass this on to all after it, enlarged.
+        // Lengths are values: the derivatives of one that moved with an event would propagate to all later steps, enlarged.
         Ok((value(proposal), false))
     } else {
         Err(context.fault(too_small(context, proposal)))
     }
 }
 
-/// Where a step of the shortest length is longer than this, s, the digits of the time are to blame and not the motion.
+/// Shortest length of a step, s, above which the resolution of the time is the cause of a fault, and not the motion.
 const COARSE: f64 = 1e-4;
 
-/// Why no step is made that is as short as is asked for.
+/// Cause of a fault if a step would have to be shorter than the shortest one.
 pub(super) fn too_small<M: System<S: Real>>(context: &Context<'_, M>, step: M::S) -> Cause {
     let (step, shortest) = (step.to_f64(), shortest(context).to_f64());
     if shortest > COARSE {
@@ -85,12 +85,12 @@ pub(super) fn too_small<M: System<S: Real>>(context: &Context<'_, M>, step: M::S
     }
 }
 
-/// A step of so many units in the last place of the time hardly moves it.
+/// Shortest step: some units in the last place of the time, so that the time hardly moves.
 pub(super) fn shortest<M: System<S: Real>>(context: &Context<'_, M>) -> M::S {
     M::S::lit(16.0) * M::S::EPSILON * context.time.abs().max(context.end.abs())
 }
 
-/// A step that still moves the time; otherwise the fault that made it so short, or that of the state it led to.
+/// Checks that a step still moves the time; otherwise gives the fault that made it so short, or that of the state it led to.
 pub(super) fn ensure_moves<M: System<S: Real>>(
     context: &Context<'_, M>,
     h: M::S,
@@ -107,16 +107,16 @@ pub(super) fn ensure_moves<M: System<S: Real>>(
     if x.is_finite() { Err(context.fault(cause)) } else { Err(not_finite(context.system, context.time, &x)) }
 }
 
-/// An estimate is taken for no less than this part of what the last step's says of a step of that length.
+/// Least part of the error expected from the last step for which an estimate is taken.
 const CHANCE: f64 = 0.1;
 
-/// Error estimates that do not vanish by chance. Where a state has few numbers all of an estimate can go through zero at
-/// once, and a step that is far too long seems right. A small estimate is believed if the one before was small too.
+/// Error estimates that do not vanish by chance. With few state variables all components of an estimate can pass zero at
+/// once, and a step that is far too long seems accurate. A small estimate is accepted only if the one before was small too.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Steady<S> {
     /// Length and error of the last accepted step.
     last: (S, S),
-    /// Its estimate was not believed.
+    /// True if its estimate was not accepted.
     doubted: bool,
 }
 
@@ -132,21 +132,21 @@ impl<S: Real> Steady<S> {
         Self { last: (S::lit(1.0), S::ZERO), doubted: false }
     }
 
-    /// No step has told yet what another one may be off.
+    /// True if no step has given an error yet.
     pub(super) fn is_new(&self) -> bool {
         self.last.1 == S::ZERO
     }
 
-    /// The error of a step of the length `h`, which grows with `h` to the `order`.
+    /// Error of a step of the length `h`, which grows with `h` to the `order`.
     pub(super) fn error(&self, h: S, estimate: S, order: u32) -> S {
         let ratio = h.plain() / self.last.0.plain();
         let last = S::Plain::lit(CHANCE) * self.last.1.plain();
         let expected = S::of_plain((0..order).fold(last, |power, _| power * ratio));
-        // What is not a number stays it.
+        // NaN stays NaN.
         if estimate < expected && !self.doubted { expected } else { estimate }
     }
 
-    /// Remembers an accepted step.
+    /// Stores an accepted step.
     pub(super) fn accept(&mut self, h: S, estimate: S, order: u32) {
         let error = self.error(h, estimate, order);
         *self = Self { last: (h, error), doubted: estimate < error };

@@ -1,4 +1,4 @@
-//! Integration context: what methods read and write on their way through an interval.
+//! Integration context: the data that methods read and write during an interval.
 
 use super::not_finite;
 use super::rates::{evaluate, value};
@@ -8,32 +8,33 @@ use crate::stats::Stats;
 use crate::system::{Health, Step, System};
 use crate::vector::Vector;
 
-/// Integration context: a state on its way through an interval.
+/// Integration context: the state during an interval, with its equations and counters.
 pub struct Context<'a, M: System> {
     /// The equations.
     pub system: &'a M,
-    /// What is held over the step: inputs, chart, branches.
+    /// Discrete state, constant during the step: inputs, chart, branches.
     pub held: M::U,
-    /// The time reached, s.
+    /// Time reached, s.
     pub time: M::S,
-    /// The state reached.
+    /// State reached.
     pub x: M::X,
-    /// The end of the interval, s.
+    /// End of the interval, s.
     pub end: M::S,
-    /// What was done so far.
+    /// Counters so far.
     pub stats: &'a mut Stats,
-    /// The longest step so far, s.
+    /// Longest step so far, s.
     pub longest_step: &'a mut M::S,
-    /// The smallest pivot ratio of the rates since the last step was accepted, [`Health`].
+    /// Smallest pivot ratio of the rates since the last step was accepted, [`Health`].
     pub health: M::S,
-    /// Steps are made without what the mechanism's own coordinates need, until this time at least.
+    /// Time, s, until which steps are at least made by the near-singular method, without the mechanism's own
+    /// coordinates.
     pub(crate) rescued: Option<M::S>,
-    /// Steps that had been tried before the interval.
+    /// Steps tried before the interval.
     before: u64,
 }
 
 impl<'a, M: System> Context<'a, M> {
-    /// A state at a time, on its way to `end`.
+    /// Context of a state at a time, for an interval to `end`.
     pub fn new(
         (system, held): (&'a M, M::U),
         (time, x): (M::S, M::X),
@@ -66,7 +67,7 @@ impl<'a, M: System> Context<'a, M> {
         (self.time, self.x) = (time, x);
     }
 
-    /// Has the interval taken more steps than it may?
+    /// Checks that the interval has taken fewer steps than it may.
     pub(crate) fn check_steps(&self, most: u64) -> Result<(), Fault> {
         let tried = self.stats.steps + self.stats.rejected - self.before;
         if tried < most { Ok(()) } else { Err(self.fault(Cause::TooManySteps { steps: most })) }
@@ -83,13 +84,13 @@ impl<'a, M: System> Context<'a, M> {
         Fault::new(self.time.to_f64(), cause)
     }
 
-    /// The rate at `(t, x)`, by rank where it is unhealthy.
+    /// Rate at `(t, x)`, by rank if it is unhealthy.
     pub(crate) fn rate(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
         let health = rate((self.system, &self.held), t, x, dx);
         self.watch(health, t, x, dx)
     }
 
-    /// The same as values, where steps are made at once.
+    /// Rate at `(t, x)` as values, if steps are made at once.
     pub(super) fn rate_value(&mut self, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
         if !M::S::AT_ONCE.has_steps() {
             return self.rate(t, x, dx);
@@ -98,7 +99,7 @@ impl<'a, M: System> Context<'a, M> {
         self.watch(health, t, x, dx)
     }
 
-    /// Goes on with a rate of this health, by rank where that is needed.
+    /// Counts a rate of this health, and replaces an unhealthy one by the rate by rank.
     #[inline]
     fn watch(&mut self, health: Health<M::S>, t: M::S, x: &M::X, dx: &mut M::X) -> Result<(), Fault> {
         self.stats.evaluations += 1;
@@ -106,7 +107,7 @@ impl<'a, M: System> Context<'a, M> {
         if health.is_good() {
             return Ok(());
         }
-        // What is not a number makes every matrix look singular; it is named for what it is.
+        // NaN makes every matrix look singular; it is reported as NaN.
         if !x.is_finite() {
             return Err(not_finite(self.system, t, x));
         }
@@ -122,7 +123,7 @@ impl<'a, M: System> Context<'a, M> {
     }
 }
 
-/// The rate where many places ask for it and none waits for it: one copy of its code for all of them.
+/// Rate for many callers none of which waits for it: one copy of its code for all of them.
 #[inline(never)]
 pub(super) fn rate<M: System>((system, held): (&M, &M::U), t: M::S, x: &M::X, dx: &mut M::X) -> Health<M::S> {
     evaluate((system, held), t, x, dx)

@@ -7,7 +7,7 @@ use crate::scalar::{Real, Scalar};
 use crate::system::Rate;
 use crate::vector::Vector;
 
-/// The semi-implicit Euler method with steps of equal length: order 1, one rate a step, bounded energy error.
+/// Semi-implicit Euler method with steps of equal length: order 1, one rate a step, bounded energy error.
 pub type SemiImplicitEuler<S> = FixedStep<S, SemiImplicitEulerFormula>;
 
 /// The formula: v by its rate, q by the new v, first-order states by their rate (E. Hairer, C. Lubich, G. Wanner,
@@ -15,9 +15,9 @@ pub type SemiImplicitEuler<S> = FixedStep<S, SemiImplicitEulerFormula>;
 #[derive(Clone, Copy, Debug)]
 pub struct SemiImplicitEulerFormula;
 
-/// A step that changes a velocity or a first-order state by less than this share of it, ...
+/// Change of a velocity or of a first-order state in a step, relative to its size, ...
 const SLOW: f64 = 1.0 / 16.0;
-/// ... and moves a position by it less than this share, is left without an estimate.
+/// ... and motion of a position by it, relative to its size, below which a step has no estimate.
 const SHORT: f64 = 1e-4;
 
 impl Formula for SemiImplicitEulerFormula {
@@ -59,7 +59,8 @@ impl Formula for SemiImplicitEulerFormula {
     }
 
     // A position differs from that by the trapezoidal rule by the first term that it lacks, h^2/2 of the acceleration. A
-    // velocity has no second rate; one where the step ends, from which the next will begin, makes that rule of it too.
+    // velocity has no second rate; one at the end of the step, from which the next step will begin, makes that rule for
+    // it too.
     fn estimate<M: Rate<S: Real>>(made: &Made<'_, M>, k: &M::X) -> Estimate<M::S> {
         let sizes = Sizes { typical: made.system.typical(), from: made.from.1, to: made.to };
         let mut end = *k;

@@ -1,4 +1,4 @@
-//! What the fixed-step methods share: dividing an interval, health, drift.
+//! Common parts of the fixed-step methods: division of an interval, health, drift.
 
 mod at_once;
 mod formula;
@@ -25,31 +25,31 @@ use crate::vector::Vector;
 
 /// A method with steps of equal length.
 ///
-/// An interval is divided into whole steps of at most [`longest_step`](Self::longest_step). The health of the stages
-/// is looked at once a step; an unhealthy step is done again, by rank where needed, and so are the following ones until
-/// one is healthy throughout; these are projected one by one, because what is off the constraints near a singular position
-/// decides the branch that the motion takes. Otherwise the drift is looked at after every [`check_every`](Self::check_every) steps, and again
-/// after the next step whenever the state had to be projected.
+/// An interval is divided into whole steps of at most [`longest_step`](Self::longest_step). The health of the stages is checked once a
+/// step; an unhealthy step is repeated, by rank where needed, and so are the following ones until one is healthy throughout. These are
+/// projected one by one, because near a singular position the distance from the constraints decides the branch that the motion takes.
+/// Otherwise the drift is checked after every [`check_every`](Self::check_every) steps, and again after the next step whenever the state
+/// had to be projected.
 #[derive(Clone, Copy, Debug)]
 pub struct FixedStep<S, F> {
     /// Longest step, s.
     pub longest_step: S,
-    /// Drift that is tolerated, as a fraction of the typical coordinate and velocity.
+    /// Tolerated drift, as a fraction of the typical coordinate and velocity.
     pub tolerance: S,
-    /// Steps between two looks at the drift; counted on across intervals.
+    /// Steps between two checks of the drift, counted across intervals.
     pub check_every: u32,
     pub(crate) partition: Partition<S>,
-    /// The last step was unhealthy.
+    /// True if the last step was unhealthy.
     pub(crate) was_unhealthy: bool,
-    /// Steps until the next look at the drift.
+    /// Steps until the next check of the drift.
     pub(super) until_check: u32,
-    /// The error of the last step.
+    /// Error of the last step.
     estimate: Estimate<S>,
     formula: PhantomData<F>,
 }
 
 impl<S: Real, F: Formula> FixedStep<S, F> {
-    /// Steps of at most `longest_step`, in s; a drift of 1e-10 (of what the scalar can resolve, if that is more).
+    /// The method with steps of at most `longest_step`, in s, and a tolerated drift of 1e-10 (at least the resolution of the scalar).
     pub fn new(longest_step: S) -> Self {
         let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
         Self {
@@ -64,13 +64,13 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         }
     }
 
-    /// The same with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
+    /// This method with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
     #[must_use]
     pub fn with_tolerance(self, tolerance: S) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// Makes one step, by rank where needed.
+    /// Makes one step, by rank if needed.
     #[inline]
     pub(crate) fn step<M: System<S = S>>(
         &mut self,
@@ -98,7 +98,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         self.step_by_rank(context, x)
     }
 
-    /// The last step needed no estimate.
+    /// Records that the last step needed no estimate.
     #[inline]
     pub(crate) fn is_short(&mut self) {
         self.estimate = Estimate::NONE;
@@ -125,7 +125,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         outcome
     }
 
-    /// Takes the context to `next`, the state after the step.
+    /// Moves the context to `next`, the state after the step.
     #[inline]
     pub(crate) fn land<M: System<S = S>>(
         &mut self,
@@ -141,7 +141,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         Ok(())
     }
 
-    /// Whether the state after the next step is projected: every one by rank.
+    /// Check of the drift after the next step; after steps by rank every drift is projected.
     #[inline]
     pub(crate) fn drift_check(&self) -> DriftCheck<S> {
         if self.skips_check() {
@@ -151,7 +151,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         DriftCheck::Above { tolerance: self.tolerance, above }
     }
 
-    /// Counts a step to the next look at the drift.
+    /// Counts a step towards the next check of the drift.
     #[inline]
     pub(crate) fn keep(&mut self, drifted: bool) {
         self.until_check = match (self.skips_check(), drifted) {
@@ -161,7 +161,7 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         };
     }
 
-    /// Counts so many steps to the next look at the drift, as [`keep`](Self::keep) where it was small.
+    /// Counts so many steps towards the next check of the drift, as [`keep`](Self::keep) does if it was small.
     #[inline]
     pub(crate) fn skip_checks(&mut self, steps: u64) {
         if steps == 0 {
@@ -175,15 +175,15 @@ impl<S: Real, F: Formula> FixedStep<S, F> {
         self.until_check = u32::try_from(until_check).unwrap_or(self.check_every);
     }
 
-    /// The drift is not looked at after the next step.
+    /// True if the drift is not checked after the next step.
     #[inline]
     pub(crate) fn skips_check(&self) -> bool {
         self.until_check > 1 && !self.was_unhealthy
     }
 }
 
-/// The error of a healthy step of `h` between two states, which is made once more for it: steps whose rates are little
-/// apart would pay for keeping these to their ends.
+/// Error of a healthy step of `h` between two states. The step is repeated for it: otherwise all steps would pay for storing their rates to
+/// the end.
 #[cold]
 #[inline(never)]
 fn estimate<F: Formula, M: System<S: Real>>(

@@ -1,4 +1,4 @@
-//! Derivatives of the rate along the way, exact where the rate is healthy.
+//! Derivatives of the rate, exact if the rate is healthy.
 
 use super::Context;
 use crate::fault::{Cause, Fault};
@@ -13,7 +13,7 @@ pub(super) type Resolvent<M, T> =
     <<M as Linear>::Derivatives as Derivatives<<M as Rate>::S, <M as Rate>::X>>::Resolvent<T>;
 
 impl<M: Linear> Context<'_, M> {
-    /// The derivatives of the rate by the state, and by the time where asked for, at the state reached.
+    /// Differentiates the rate by the state, and by the time if requested, at the state reached.
     pub(super) fn differentiate(
         &mut self,
         by_x: &mut M::Derivatives,
@@ -35,8 +35,8 @@ impl<M: Linear> Context<'_, M> {
         Ok(())
     }
 
-    /// One-sided difference quotients of the rate by rank. Methods keep their order with them: they ask for derivatives
-    /// only to be stable.
+    /// One-sided difference quotients of the rate by rank. Methods keep their order with them: they need derivatives
+    /// only for stability.
     #[cold]
     fn difference_quotients(
         &mut self,

@@ -1,7 +1,7 @@
-//! Whether a step of fixed length is so short that its error needs no estimate: a few comparisons beside every step.
+//! Decides if a step of fixed length is so short that its error needs no estimate, by a few comparisons in every step.
 //!
-//! Of mechanisms with few states the rates of the stages tell, which stand in registers. To keep those of many would cost a
-//! tenth of a step: of their coordinates the ends of a step tell, of every eighth as long as these are short, and of their
+//! For mechanisms with few states the rates of the stages decide, which are in registers. Storing those of many would cost a tenth
+//! of a step: for their coordinates the ends of a step decide, of every eighth one as long as these are short, and for their
 //! first-order states the rates.
 
 use super::fixed::Formula;
@@ -10,32 +10,33 @@ use crate::stats::Stats;
 use crate::system::Rate;
 use crate::vector::Vector;
 
-/// So many velocities and first-order states are few: to compare their rates costs less than a fiftieth of a step.
+/// Velocities and first-order states up to this number are few: to compare their rates costs less than a fiftieth of a step.
 const FEW: usize = 4;
-/// Ends are looked at in every step of so many, ...
+/// Number of first steps whose ends are all compared.
 const FIRST: u64 = 64;
-/// ... then in every eighth (with the bits that are not zero in others), ...
+/// Bits that are zero in the number of a later step whose ends are compared: in every eighth.
 const OFTEN: u64 = 7;
 
-/// ... and in every one again after one that was too long: of mechanisms with many states.
+/// True if the ends of a step are compared, for mechanisms with many states: in the first steps, in every eighth one after them,
+/// and in every one again after a step that was too long.
 #[inline]
 pub(super) fn is_due<M: Rate>(system: &M, stats: &Stats) -> bool {
     !has_few(moving(system)) && (stats.steps < FIRST || stats.steps & OFTEN == 0 || stats.largest_error > 0.0)
 }
 
-/// The number of velocities and first-order states.
+/// Number of velocities and first-order states.
 #[inline]
 fn moving<M: Rate>(system: &M) -> usize {
     system.states() - system.coordinates()
 }
 
-/// Has the mechanism few velocities and first-order states?
+/// True if the mechanism has few velocities and first-order states.
 #[inline]
 pub(super) fn has_few(velocities_and_states: usize) -> bool {
     velocities_and_states <= FEW
 }
 
-/// The first state whose rates are compared.
+/// Index of the first state whose rates are compared.
 #[inline]
 fn first<F: Formula, M: Rate>(has_few: bool) -> usize {
     match has_few {
@@ -45,7 +46,7 @@ fn first<F: Formula, M: Rate>(has_few: bool) -> usize {
     }
 }
 
-/// Are the rates of a step of `h` to `x` little apart ([`Formula::apart`])?
+/// True if the rates of a step of `h` to `x` differ little ([`Formula::apart`]).
 #[allow(clippy::needless_bitwise_bool, reason = "a branch for each state would keep compilers from vectors")]
 #[allow(clippy::inline_always, reason = "the rates stay in registers")]
 #[inline(always)]
@@ -57,14 +58,15 @@ pub(super) fn are_near<F: Formula, M: Rate<S: Real>>(
 ) -> bool {
     let typical = system.typical();
     let apart = F::apart::<M>(h, stages, |i| x.at(i).abs() + typical.at(i));
-    // All are compared: so compilers make vectors of them. False for what is not a number.
+    // All are compared, so that compilers make vectors of them. False for NaN.
     (first::<F, M>(has_few(moving(system)))..M::X::LEN).fold(true, |all, i| {
         let [apart, most] = apart(i);
         all & (apart <= most)
     })
 }
 
-/// The same in any numbers, of which none decides: above zero where they are not. A state that is not a number is found by itself.
+/// Largest excess of the differences that [`are_near`] compares, in any numbers, none of which decides: above zero if they are not
+/// near. A state that is NaN is found separately.
 pub(super) fn spread<F: Formula, M: Rate>(system: &M, h: M::S, x: &M::X, stages: &F::Stages<M::X>) -> M::S {
     let typical = system.typical();
     let apart = F::apart::<M>(h, stages, |i| x.at(i).abs() + typical.at(i));
@@ -75,8 +77,8 @@ pub(super) fn spread<F: Formula, M: Rate>(system: &M, h: M::S, x: &M::X, stages:
     })
 }
 
-/// Are the positions of a step of `h` between two states near to those by the trapezoidal rule? A call: what few steps do does not
-/// take the registers of all.
+/// True if the positions of a step of `h` between two states are near to those by the trapezoidal rule. A call, since few steps
+/// need it: it must not take the registers of all.
 #[allow(clippy::needless_bitwise_bool, reason = "a branch for each state would keep compilers from vectors")]
 #[inline(never)]
 pub(super) fn are_straight<F: Formula, M: Rate<S: Real>>(system: &M, h: M::S, ends: [&M::X; 2]) -> bool {
@@ -87,7 +89,7 @@ pub(super) fn are_straight<F: Formula, M: Rate<S: Real>>(system: &M, h: M::S, en
     })
 }
 
-/// How far a position is from there, and how far it may be.
+/// Distance of a position from that by the trapezoidal rule, and its bound.
 #[inline]
 fn bend<F: Formula, M: Rate>(typical: &M::X, h: M::S, [from, to]: [&M::X; 2], i: usize) -> [M::S; 2] {
     let (v, half) = (M::NQ + i, M::S::lit(0.5) * h);
@@ -95,7 +97,7 @@ fn bend<F: Formula, M: Rate>(typical: &M::X, h: M::S, [from, to]: [&M::X; 2], i:
     [bend.abs(), M::S::lit(F::STRAIGHT) * (from.at(i).abs() + typical.at(i))]
 }
 
-/// Both in numbers of several lanes: above zero in those that are not short, and not below.
+/// Both comparisons in numbers of several lanes: above zero in lanes that are not short, zero in others.
 #[inline]
 pub(crate) fn coarseness<F: Formula, M: Rate>(
     typical: &M::X,

@@ -1,4 +1,4 @@
-//! Integration methods: how a state is carried over an interval.
+//! Integration methods: they advance a state over an interval.
 //!
 //! | method | order | step |
 //! |---|---|---|
@@ -13,8 +13,8 @@
 //! | [`Ros34Pw2`] | 3; L-stable | fixed |
 //! | [`RadauIia5`] | 5, dense output of order 3; L-stable | by error control |
 //!
-//! A method owns what it remembers from step to step (its proposal for the next one, the last rate), so that a saved
-//! copy of it resumes to the bit. The formulas of the fixed-step methods are usable alone, for any [`Scalar`].
+//! A method owns the data that it stores from step to step (its proposal for the next one, the last rate), so that a
+//! saved copy of it resumes to the bit. The formulas of the fixed-step methods are usable alone, for any [`Scalar`].
 
 mod adams;
 mod adaptive;
@@ -78,7 +78,7 @@ pub(crate) fn not_finite<M: System>(system: &M, t: M::S, x: &M::X) -> Fault {
     Fault::of_part(t.to_f64(), part, Cause::NotFinite)
 }
 
-/// Why the rates of a step are of no use.
+/// Fault of a step whose rates are unhealthy.
 #[cold]
 pub(crate) fn unhealthy<M: System<S: Real>>(
     system: &M,
@@ -101,7 +101,7 @@ pub(crate) fn drift_of_size<M: System<S: Real>>(system: &M, fraction: M::S) -> D
     Drift { phi: fraction * largest(0), phi_dot: fraction * largest(M::NQ) }
 }
 
-/// The larger of the two residuals, each as a multiple of its limit; zero where there is nothing to project.
+/// The larger of the two residuals, each as a multiple of its limit; zero if there is nothing to project.
 pub(crate) fn excess<S: Real>(drift: Drift<S>, limit: Drift<S>) -> S {
     let zero = S::lit(0.0);
     let ratio = |size: S, limit: S| if size == zero { zero } else { size / limit };

@@ -1,4 +1,4 @@
-//! The time stepping of J. J. Moreau and M. Jean: fixed steps over impacts and friction, without events of contact.
+//! Time stepping of J. J. Moreau and M. Jean: fixed steps over impacts and friction, without events of contact.
 
 use super::partition::Partition;
 use super::{
@@ -12,29 +12,29 @@ use crate::system::{Drift, System};
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
-/// The time stepping of Moreau and Jean with steps of equal length: order 1, one rate a step, whatever contact does in it.
+/// Time stepping of Moreau and Jean with steps of equal length: order 1, one rate a step, for any contact in it.
 ///
-/// Forces, masses and rows are evaluated at one intermediate place, `q + (1 - theta) h v`, with the velocity where the step begins. With more
-/// `EVALUATIONS` than one ([`with_evaluations`](Self::with_evaluations)), each next one is there with the velocity that the one before
-/// predicts: two and `theta = 1/2` are of order 2 between impacts and changes of modes, whatever forces depend on. The
-/// impulses of all rows of contact over the step are one small problem, which takes a bounded number of rounds; no event of a row is
-/// searched. What sticks keeps its place, and a closed gap does not sink ([`contact`](crate::contact), [`Stride`]). Conditions, and
-/// events by `when`, switch at the end of the step.
+/// Forces, masses and rows are evaluated at one intermediate place, `q + (1 - theta) h v`, with the velocity at the beginning of the step.
+/// With more `EVALUATIONS` than one ([`with_evaluations`](Self::with_evaluations)), each further one is there with the velocity that the
+/// one before predicts: two and `theta = 1/2` are of order 2 between impacts and changes of modes, for all forces. The impulses of all
+/// contact rows over the step are one contact problem, which takes a bounded number of rounds; no event of a row is searched. Sticking
+/// frictions stay in their places, and closed gaps do not penetrate ([`contact`](crate::contact), [`Stride`]). Conditions, and events by
+/// `when`, switch at the end of the step.
 ///
-/// Where nothing touches it is a semi-implicit Euler method with `theta = 1`, and with `theta = 1/2` the midpoint rule of positions, of
-/// order 2 where forces depend on places alone. It does not resolve what is stiff.
+/// Without contact it is a semi-implicit Euler method with `theta = 1`, and with `theta = 1/2` the midpoint rule of positions, of order 2
+/// if forces depend on positions alone. It does not resolve stiff equations.
 #[derive(Clone, Copy, Debug)]
 pub struct MoreauJean<S, const EVALUATIONS: usize = 1> {
     /// Longest step, s.
     pub longest_step: S,
-    /// The share of a step, 1/2 to 1, that positions make with the velocity at its end.
+    /// Weight of the velocity at the end of a step in the change of positions, 1/2 to 1.
     pub theta: S,
-    /// Drift of the joints that is tolerated, as a fraction of the typical coordinate and velocity.
+    /// Tolerated drift of the joints, as a fraction of the typical coordinate and velocity.
     pub tolerance: S,
     partition: Partition<S>,
-    /// Of the last step.
+    /// Residual of the last step.
     residual: S,
-    /// Of all steps so far.
+    /// Largest residual of all steps so far.
     largest_residual: S,
 }
 
@@ -42,8 +42,8 @@ impl<S: Real> MoreauJean<S> {
     /// The [`theta`](Self::theta) of [`new`](Self::new).
     pub const THETA: f64 = 0.5;
 
-    /// Steps of at most `longest_step`, in s, with [`THETA`](Self::THETA) and one evaluation; a drift of 1e-10 (of what the scalar can
-    /// resolve, if that is more).
+    /// The method with steps of at most `longest_step`, in s, [`THETA`](Self::THETA), one evaluation, and a tolerated drift of 1e-10 (at
+    /// least the resolution of the scalar).
     pub fn new(longest_step: S) -> Self {
         let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
         Self::of(longest_step, S::lit(Self::THETA), tolerance)
@@ -56,26 +56,26 @@ impl<S: Real, const EVALUATIONS: usize> MoreauJean<S, EVALUATIONS> {
         Self { longest_step, theta, tolerance, partition, residual, largest_residual: residual }
     }
 
-    /// The same with so many evaluations of the equations of motion in a step, one or more: two make it of order 2 between impacts.
+    /// This method with so many evaluations of the equations of motion in a step, one or more: two make it of order 2 between impacts.
     #[must_use]
     pub fn with_evaluations<const COUNT: usize>(self) -> MoreauJean<S, COUNT> {
         const { assert!(COUNT > 0, "a step of `MoreauJean` takes one evaluation or more") }
         MoreauJean::of(self.longest_step, self.theta, self.tolerance)
     }
 
-    /// The same with another [`theta`](Self::theta); a number outside of 1/2 to 1 becomes the nearest one within.
+    /// This method with another [`theta`](Self::theta); a number outside of 1/2 to 1 becomes the nearest one within.
     #[must_use]
     pub fn with_theta(self, theta: S) -> Self {
         Self { theta: theta.max(S::lit(0.5)).min(S::lit(1.0)), ..self }
     }
 
-    /// The same with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
+    /// This method with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
     #[must_use]
     pub fn with_tolerance(self, tolerance: S) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// The rate, m/s or rad/s, by which a law of contact was not met in the last step: rounding where its problem was solved.
+    /// Rate, m/s or rad/s, by which a law of contact was violated in the last step: rounding if its contact problem was solved.
     pub fn residual(&self) -> S {
         self.residual
     }
@@ -90,8 +90,8 @@ impl<S: Real, const EVALUATIONS: usize> MoreauJean<S, EVALUATIONS> {
         Stride { t, h: self.partition.h, theta: self.theta }
     }
 
-    /// Goes on to the state `next` after a step with rows of contact, if that could be made and is healthy. What is held after it is left to
-    /// the caller.
+    /// Advances to the state `next` after a step with contact rows, if that could be made and is healthy. The caller sets the discrete
+    /// state after it.
     pub(crate) fn land_with_rows<M: System<S = S>>(
         &mut self,
         context: &mut Context<'_, M>,
@@ -110,7 +110,7 @@ impl<S: Real, const EVALUATIONS: usize> MoreauJean<S, EVALUATIONS> {
         self.land(context, next)
     }
 
-    /// Goes on to the state after a step.
+    /// Advances to the state after a step.
     fn land<M: System<S = S>>(&mut self, context: &mut Context<'_, M>, next: M::X) -> Result<(), Fault> {
         if !next.is_finite() {
             return Err(not_finite(context.system, self.partition.next_time, &next));
@@ -165,7 +165,7 @@ impl<M: System<S: Real>, const EVALUATIONS: usize> DenseOutput<M> for MoreauJean
 impl<M: System<S: Real>, const EVALUATIONS: usize> ErrorControl<M> for MoreauJean<M::S, EVALUATIONS> {}
 
 impl<M: System<S: Real>, const EVALUATIONS: usize> FixedLength<M> for MoreauJean<M::S, EVALUATIONS> {
-    // With rows of contact a step projects its joints by itself.
+    // With contact rows a step projects its joints itself.
     fn drift_check(&self, system: &M) -> DriftCheck<M::S> {
         if system.contact_count() > 0 {
             return DriftCheck::Skip;
@@ -178,7 +178,7 @@ impl<M: System<S: Real>, const EVALUATIONS: usize> FixedLength<M> for MoreauJean
     }
 }
 
-/// The options, and the residuals.
+/// Options, and residuals.
 impl<S: Real, const EVALUATIONS: usize> InWords for MoreauJean<S, EVALUATIONS> {
     fn each(&mut self, words: &mut impl Words) {
         let Self { longest_step, theta, tolerance, residual, largest_residual, .. } = self;

@@ -12,23 +12,23 @@ use crate::vector::Vector;
 pub(crate) struct Partition<S> {
     start: S,
     end: S,
-    /// The length of a step, s.
+    /// Length of a step, s.
     pub(crate) h: S,
     /// The time after the next step.
     pub(crate) next_time: S,
-    /// Whole numbers, counted in the scalar: a target that has no f64 converts none.
+    /// Number of steps. Whole numbers are counted in the scalar, so that a target without f64 needs no conversion.
     steps: S,
-    /// Steps up to that time.
+    /// Steps up to `next_time`.
     done: S,
 }
 
 impl<S: Real> Partition<S> {
-    /// Nothing planned.
+    /// A partition without steps.
     pub(super) fn none() -> Self {
         Self { start: S::ZERO, end: S::ZERO, h: S::ZERO, next_time: S::ZERO, steps: S::ZERO, done: S::ZERO }
     }
 
-    /// Divides what is left of an interval into whole steps of at most `longest`.
+    /// Divides the rest of an interval into whole steps of at most `longest`.
     pub(super) fn of_interval<M: System<S = S>>(
         context: &mut Context<'_, M>,
         longest: S,
@@ -40,8 +40,8 @@ impl<S: Real> Partition<S> {
         Ok(partition)
     }
 
-    /// Takes the context to `next`, the state after the step; projects it if it drifted by more than `tolerance` of the
-    /// typical sizes, or if the step went by rank. Returns whether it did.
+    /// Moves the context to `next`, the state after the step; projects it if it drifted by more than `tolerance` of the
+    /// typical sizes, or if the step went by rank. Returns true if it did.
     pub(super) fn arrive<M: System<S = S>>(
         &mut self,
         context: &mut Context<'_, M>,
@@ -64,7 +64,7 @@ impl<S: Real> Partition<S> {
         Ok(drifted)
     }
 
-    /// The length of the step that makes an interval alone; none where that takes several, or cannot be.
+    /// Length of the step that makes an interval alone; `None` if that takes several, or is impossible.
     #[inline]
     pub(super) fn one_step(start: S, end: S, longest: S) -> Option<S> {
         let (length, rounding) = Self::length(start, end);
@@ -72,25 +72,25 @@ impl<S: Real> Partition<S> {
         fits.then(|| if (length - longest).abs() <= rounding { longest } else { length })
     }
 
-    /// The length of an interval, and what rounding of the times makes of it.
+    /// Length of an interval, and its error by rounding of the times.
     #[inline]
     fn length(start: S, end: S) -> (S, S) {
         (end - start, S::lit(2.0) * S::EPSILON * start.abs().max(end.abs()))
     }
 
-    /// What of an interval has to be divided: not what may be rounding, nor a millionth.
+    /// Part of an interval that has to be divided: less the larger of its rounding and a millionth.
     #[inline]
     fn least(length: S, rounding: S) -> S {
         (length - rounding.max(S::lit(1e-6) * length)).max(S::ZERO)
     }
 
-    /// Divides an interval into whole steps of at most `longest` (and a millionth, and what rounding of the times makes of
-    /// the interval's length, so that neither costs another step). An interval of whole steps gets steps of exactly that
-    /// length. None if such steps do not move the time or cannot be counted.
+    /// Divides an interval into whole steps of at most `longest` (plus a millionth, and the error of the interval's length
+    /// by rounding of the times, so that neither costs another step). An interval of whole steps gets steps of exactly
+    /// that length. `None` if such steps do not move the time or cannot be counted.
     fn new(start: S, end: S, longest: S) -> Option<Self> {
         let (one, (length, rounding)) = (S::lit(1.0), Self::length(start, end));
         let ratio = Self::least(length, rounding) / longest;
-        // False for a step that is negative or not a number.
+        // False for a step that is negative or NaN.
         let counts = longest > S::ZERO && ratio < one / S::EPSILON;
         if !counts {
             return None;
@@ -104,7 +104,7 @@ impl<S: Real> Partition<S> {
         (partition.next_time > start).then_some(partition)
     }
 
-    /// The time after the next step.
+    /// Sets the time after the next step.
     #[inline]
     pub(crate) fn next(&mut self) {
         self.done = self.done + S::lit(1.0);

@@ -7,31 +7,31 @@ use crate::scalar::Real;
 use crate::system::{value, values};
 use crate::vector::Vector;
 
-/// Powers of the highest degree that a dense output has, 8, and below.
+/// Number of powers of a dense output, whose highest degree is 8.
 pub(super) const POWERS: usize = 9;
 
-/// Dense output of this degree and below is enclosed by itself, in a third of the operations.
+/// Dense output up to this degree has an enclosure of its own, in a third of the operations.
 const LOW: usize = 4;
 
-/// The state over a step, as polynomials of the fraction of it that has passed.
+/// State over a step, as polynomials of the fraction of it that has passed.
 #[derive(Clone, Copy, Debug)]
 pub struct Path<S, X> {
-    /// The time at the beginning, s.
+    /// Time at the beginning, s.
     pub start: S,
-    /// The length of the step, s.
+    /// Length of the step, s.
     pub h: S,
     /// Coefficients of the powers of the fraction from 0 up; no method has a higher degree.
     pub coefficients: [X; POWERS],
 }
 
 impl<S: Real, X: Vector<S>> Path<S, X> {
-    /// The same in numbers of another kind, without derivatives.
+    /// This path in another type of numbers, without derivatives.
     pub(crate) fn in_values<T: Real<Plain = S::Plain>, Y: Vector<T>>(&self) -> Path<T, Y> {
         let coefficients = core::array::from_fn(|k| values(&self.coefficients[k]));
         Path { start: value(self.start), h: value(self.h), coefficients }
     }
 
-    /// Of functions that give each component's coefficients.
+    /// Path from functions that give the coefficients of each component.
     #[inline]
     pub(crate) fn new(start: S, h: S, mut component: impl FnMut(usize) -> [S; POWERS]) -> Self {
         let mut coefficients = [X::fill(S::ZERO); POWERS];
@@ -43,8 +43,8 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
         Self { start, h, coefficients }
     }
 
-    /// What the ends of a step tell where a method has no dense output: coordinates by the cubic of C. Hermite with the
-    /// velocities at both ends, velocities as its derivative, first-order states by a line. It takes no evaluation.
+    /// Path from the ends of a step, if a method has no dense output: coordinates by the cubic of C. Hermite with the velocities at both
+    /// ends, velocities as its derivative, first-order states by a line. It takes no evaluation.
     pub(crate) fn between(from: (S, &X), to: (S, &X), coordinates: usize) -> Self {
         let ((start, from), (end, to)) = (from, to);
         let h = end - start;
@@ -68,9 +68,9 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
         })
     }
 
-    /// Is all of that path `within` bounds? Of so many coordinates, whose velocities stand after a place, and of `all` numbers in ranges. The
-    /// hull of its control points encloses it (S. Bernstein's form of a polynomial; G. Farin, Curves and Surfaces for CAGD, 5th edition,
-    /// 4.3); it begins within them.
+    /// True if all of the path of [`between`](Self::between) is `within` bounds: the first `coordinates`, whose velocities begin at the
+    /// index `velocity`, and the numbers in the ranges `all`. The hull of its control points encloses it (S. Bernstein's form of a
+    /// polynomial; G. Farin, Curves and Surfaces for CAGD, 5th edition, 4.3); its beginning is known to be within them.
     #[inline]
     pub(crate) fn between_stays(
         from: (S, &X),
@@ -86,16 +86,16 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
             let between = three * (q.1 - q.0) / h - (v.0 + v.1);
             within(i, q.0 + third * v.0) && within(i, q.1 - third * v.1) && within(velocity + i, between)
         };
-        // Range by range: an iterator over all of them would not be a loop.
+        // Range by range: an iterator over all of them would not become a loop.
         (0..coordinates).all(moves) && all.into_iter().all(|mut range| range.all(|i| within(i, to.at(i))))
     }
 
-    /// The time at a fraction of the step, s.
+    /// Time at a fraction of the step, s.
     pub(crate) fn time(&self, theta: S) -> S {
         self.start + theta * self.h
     }
 
-    /// The state at a fraction of the step.
+    /// State at a fraction of the step.
     pub(crate) fn at(&self, theta: S) -> X {
         X::from_fn(|i| {
             let powers = self.coefficients.iter().rev();
@@ -103,7 +103,7 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
         })
     }
 
-    /// Its derivative, per step.
+    /// Derivative of the state, per step.
     pub(crate) fn slope(&self, theta: S) -> X {
         X::from_fn(|i| {
             let powers = self.coefficients.iter().enumerate().skip(1).rev();
@@ -131,8 +131,8 @@ impl<S: Real, X: Vector<S>> Path<S, X> {
     }
 }
 
-/// The coefficients of a polynomial of this degree about another fraction of the step, by repeated synthetic division (D. E.
-/// Knuth, The Art of Computer Programming 2, 4.6.4, "shifting").
+/// Coefficients of a polynomial of this degree about another fraction of the step, by repeated synthetic division (D. E. Knuth, The Art of
+/// Computer Programming 2, 4.6.4, "shifting").
 #[inline]
 fn shifted<S: Real, const DEGREE: usize>(mut c: [S; POWERS], middle: S) -> [S; POWERS] {
     for first in 0..DEGREE {
@@ -159,7 +159,7 @@ fn enclose<S: Real, const DEGREE: usize>(c: [S; POWERS], (middle, radius): (S, S
     Enclosed { middle: c[0], value: value.around(c[0]), slope: slope.around(c[1]) }
 }
 
-/// How far the terms of a polynomial reach down and up, both as sums of sizes.
+/// Distances that the terms of a polynomial reach down and up, both as sums of sizes.
 struct Terms<S> {
     down: S,
     up: S,
@@ -168,7 +168,7 @@ struct Terms<S> {
 impl<S: Real> Terms<S> {
     const NONE: Self = Self { down: S::ZERO, up: S::ZERO };
 
-    /// A term that goes from nothing to `size`, an even power, or to both sides; what is not a number stays none.
+    /// Adds a term that reaches from zero to `size`, an even power, or to both sides; NaN stays NaN.
     #[inline]
     fn reach(&mut self, size: S, is_even: bool) {
         let (half, both) = (S::lit(0.5), size.abs());
@@ -176,9 +176,9 @@ impl<S: Real> Terms<S> {
         (self.down, self.up) = (self.down + down, self.up + up);
     }
 
-    /// The range about the constant term; zero is not rounded outwards. A term is a product of at most nine, and sums of eight
-    /// sizes lose no digits: both together are off by eight epsilons (N. J. Higham, Accuracy and Stability of Numerical
-    /// Algorithms, 2nd edition, lemma 3.1).
+    /// Range about the constant term; zero is not rounded outwards. A term is a product of at most nine factors, and sums of eight sizes
+    /// lose no digits: both together have an error of eight epsilons (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd
+    /// edition, lemma 3.1).
     #[inline]
     fn around(self, middle: S) -> Interval<S> {
         let slack = S::lit(1.0) + S::lit(POWERS as f64) * S::EPSILON;
@@ -242,7 +242,7 @@ mod tests {
                     assert!(low - rounding <= x[i] && x[i] <= high + rounding, "{k}, {i} at {part}: {x:?}");
                 }
             }
-            // A bound between what is within them is noticed for each.
+            // A bound within the hull is noticed for each component.
             for bound in 0..3 {
                 let high = hull.borrow()[bound].1;
                 let inside = |i: usize, s: f64| i != bound || s < high;
@@ -296,7 +296,7 @@ mod tests {
         }
     }
 
-    /// Of one power alone nothing is too wide, but for the sums that are rounded outwards.
+    /// A single power is enclosed exactly, apart from the sums that are rounded outwards.
     #[test]
     fn powers_are_enclosed_exactly() {
         for k in 1..POWERS {

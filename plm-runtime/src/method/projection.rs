@@ -1,14 +1,14 @@
-//! Projection after steps whose length the error decides.
+//! Projection after steps with error control.
 
 use super::{Context, drift_of_size, excess};
 use crate::fault::Fault;
 use crate::scalar::Real;
 use crate::system::System;
 
-/// Drift is projected above this fraction of the tolerance.
+/// Fraction of the tolerance above which drift is projected.
 pub(super) const PROJECTED_ABOVE: f64 = 0.1;
 
-/// What is known of the drift.
+/// Drift relative to its tolerance, and its part that projection cannot remove.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Projection<S> {
     /// Drift that the last projection could not remove, over the tolerance.
@@ -20,7 +20,7 @@ impl<S: Real> Projection<S> {
         Self { residue: S::ZERO }
     }
 
-    /// Drift of a state over the tolerance, less what projection cannot remove.
+    /// Drift of a state over the tolerance, less the part that projection cannot remove.
     pub(super) fn drift<M: System<S = S>>(
         &self,
         (system, u): (&M, &M::U),

@@ -1,15 +1,15 @@
-//! Who computes the rates that a formula asks for.
+//! Providers of the rates that a formula needs.
 
 use core::fmt::Debug;
 
 use crate::scalar::Scalar as _;
 use crate::system::{Computation, Health, Rate, System};
 
-/// The rates at the stages of a formula.
+/// Rates at the stages of a formula.
 ///
-/// Where a rate is short ([`Rate::SHORT`]), formulas hold a copy of it for every stage: numbers stay in registers, and
-/// compilers do not pack positions with velocities into vectors, which would let the pose of a stage wait for an
-/// acceleration that it does not need. That takes more than a closure, of which nobody can ask to be copied.
+/// If a rate is short ([`Rate::SHORT`]), formulas contain a copy of it for every stage: numbers stay in registers, and compilers do not
+/// pack positions with velocities into vectors, which would make the pose of a stage wait for an acceleration that it does not need. A
+/// closure would not suffice, since nothing can demand that it is copied.
 pub trait Rates<M: Rate> {
     /// Writes the rate `dx` at `(t, x)`.
     fn at(&mut self, t: M::S, x: &M::X, dx: &mut M::X);
@@ -29,9 +29,10 @@ pub trait Rates<M: Rate> {
     }
 }
 
-/// The stages of a formula by their numbers, which follow each other: a copy of the body for each if `short`, a loop otherwise.
-/// The loop is over a range, of which compilers know that it stays within an array; numbers in memory could be any. Both are
-/// constants of the types, and only what they choose is translated, in builds that are not optimised too. Of formulas of any number of stages, a copy for each below that number.
+/// Repeats a body for the stages of a formula, whose numbers follow each other: a copy of it for each if `short`, otherwise a loop. The
+/// loop is over a range, of which compilers know that it stays within an array; numbers in memory could be any. Both are constants of the
+/// types, and only the chosen one is compiled, in builds without optimisation too. For formulas of any number of stages, there is a copy
+/// for each stage below that number.
 macro_rules! each_stage {
     ($short:expr, $stage:ident in [$first:literal $(, $number:literal)*] $body:block) => {
         if const { $short } {
@@ -63,7 +64,7 @@ impl<M: Rate, F: FnMut(M::S, &M::X, &mut M::X)> Rates<M> for F {
     }
 }
 
-/// The rates of a system, without a second try where they are unhealthy.
+/// Rates of a system, without a second attempt if they are unhealthy.
 pub(crate) struct Watched<'a, M: Rate> {
     system: &'a M,
     held: &'a M::U,
@@ -91,7 +92,7 @@ impl<M: Rate> Rates<M> for &mut Watched<'_, M> {
     }
 }
 
-/// The rate at a state: one vector with derivatives, or none.
+/// Rate at a state: one vector with derivatives, or none.
 struct OfState<const VECTORS: usize>;
 
 impl<const VECTORS: usize> Computation for OfState<VECTORS> {
@@ -120,7 +121,7 @@ impl<const VECTORS: usize> Computation for OfState<VECTORS> {
     }
 }
 
-/// The rate of a system at a state; recorded numbers take its derivatives at once.
+/// Rate of a system at a state; recorded numbers take its derivatives at once.
 #[allow(clippy::inline_always, reason = "it is the rate")]
 #[inline(always)]
 pub(super) fn evaluate<M: System>(
@@ -137,7 +138,7 @@ pub(super) fn evaluate<M: System>(
     system.rate(t, held, x, dx)
 }
 
-/// The same of recorded numbers as values: whatever goes on from there finds derivatives by itself.
+/// Rate of recorded numbers as values: later computations find derivatives by themselves.
 #[inline(never)]
 pub(super) fn value<M: System>(
     (system, held): (&M, &M::U),
@@ -150,7 +151,7 @@ pub(super) fn value<M: System>(
     health
 }
 
-/// The same as [`evaluate`] does it.
+/// Rates of a system by [`evaluate`], without a second attempt if they are unhealthy.
 pub(crate) struct Evaluated<'a, M: System> {
     system: &'a M,
     held: &'a M::U,

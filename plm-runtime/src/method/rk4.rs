@@ -15,17 +15,17 @@ pub type Rk4<S> = FixedStep<S, Rk4Formula>;
 #[derive(Clone, Copy, Debug)]
 pub struct Rk4Formula;
 
-/// Rates that are apart by less than this share of a state leave a step without an estimate: it errs by less than 1e-4 of it.
+/// Difference of the rates, relative to a state, below which a step has no estimate: its error is less than 1e-4 of the state.
 const SHORT: f64 = 1.0 / 64.0;
-/// What the step of a linear oscillator lacks: the first term of the exponential series that the formula has not, h^5/5!.
+/// Error of the step of a linear oscillator: the first term of the exponential series that the formula lacks, h^5/5!.
 const CONSTANT: f64 = 1.0 / 120.0;
-/// Its order over that of the terms that are known, h^5 over h^3.
+/// Its order over that of the known terms, h^5 over h^3.
 const POWER: f64 = 5.0 / 3.0;
 
 impl Formula for Rk4Formula {
     const NAME: &'static str = "Rk4";
     const STAGES: u64 = 4;
-    // Twelve times that is the third term of Taylor's series: the step errs by less than 1e-4.
+    // The third term of Taylor's series is twelve times that: the step errs by less than 1e-4.
     const STRAIGHT: f64 = 1.0 / 192.0;
     const OF_PLACES: bool = false;
     type Stages<X: Copy> = [X; 4];
@@ -52,7 +52,7 @@ impl Formula for Rk4Formula {
         let (mut ahead, mut k) = (*x, [M::X::fill(zero); 4]);
         each_stage!(M::SHORT, i in [0, 1, 2, 3] {
             let (node, next) = stages[i];
-            // Coordinates before the rate: the pose that follows waits for no acceleration.
+            // Coordinates before the rate: the next pose waits for no acceleration.
             let stage = ahead;
             for j in 0..M::NQ {
                 ahead.set(j, next.mul_add(stage.at(M::NQ + j), x.at(j)));
@@ -66,7 +66,7 @@ impl Formula for Rk4Formula {
         look(x, &k)
     }
 
-    // k1 - k2 - k3 + k4 is h^2/4 of the second derivative of the rate; the sums stand in `end` too.
+    // k1 - k2 - k3 + k4 is h^2/4 of the second derivative of the rate; the sums occur in `end` too.
     #[allow(clippy::inline_always, reason = "as the step")]
     #[inline(always)]
     fn apart<M: Rate>(
@@ -78,8 +78,8 @@ impl Formula for Rk4Formula {
         move |i| [long * ((k1.at(i) + k4.at(i)) - (k2.at(i) + k3.at(i))).abs(), size(i)]
     }
 
-    // Of the two sums of weights zero that leave no more than h^3, one has the derivative of the rate twice (k3 - k2), the other
-    // the whole second derivative: either may vanish where the other does not. Both are a quarter of the third term.
+    // Of the two sums with weights of sum zero that are of the order h^3, one has the derivative of the rate twice (k3 - k2),
+    // the other the whole second derivative: either may vanish while the other does not. Both are a quarter of the third term.
     #[allow(clippy::inline_always, reason = "as the step")]
     #[inline(always)]
     fn difference<M: Rate<S: Real>>([k1, k2, k3, k4]: &[M::X; 4]) -> M::X {
@@ -105,8 +105,8 @@ impl Formula for Rk4Formula {
     }
 }
 
-/// The rates of the stages, two by two: the positions of a stage follow from the velocities of the one before it. Components
-/// are written one by one: a copy of several waits for all of them.
+/// Rates of the stages, two by two: the positions of a stage follow from the velocities of the one before it. Components are
+/// written one by one, since a copy of several waits for all of them.
 #[allow(clippy::inline_always, reason = "as the step")]
 #[inline(always)]
 fn pairs<M: Rate>(t: M::S, h: M::S, x: &M::X, mut rates: impl Rates<M>) -> [[M::X; 2]; 2] {
@@ -125,8 +125,8 @@ fn pairs<M: Rate>(t: M::S, h: M::S, x: &M::X, mut rates: impl Rates<M>) -> [[M::
     k
 }
 
-/// The weighted sum of the rates. Those of positions are the velocities of the stages, v and v + h/2 k1 and so on, and sum
-/// up to 6 v + h (k1 + k2 + k3): the next pose waits for no more.
+/// Weighted sum of the rates. Those of positions are the velocities of the stages, v and v + h/2 k1 and so on, and sum up to
+/// 6 v + h (k1 + k2 + k3): the next pose waits for nothing else.
 #[allow(clippy::inline_always, reason = "as the step")]
 #[inline(always)]
 fn end<M: Rate>(h: M::S, x: &mut M::X, [k1, k2, k3, k4]: &[M::X; 4]) {

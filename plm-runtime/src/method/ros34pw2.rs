@@ -11,11 +11,10 @@ use crate::vector::Vector;
 
 /// ROS34PW2 with steps of equal length: order 3, L-stable, for stiff equations in real time.
 ///
-/// A step takes four rates, one matrix of derivatives and one decomposition, whatever the equations are. It is a
-/// W-method: the order does not depend on the exactness of the derivatives. For what is stiff by damping or by
-/// first-order states, and for stiff springs that do not turn much: where a spring of the frequency w turns by the angle
-/// a within a step, (w h)^2 a^2 must not be large against 1, as for all methods that solve linear systems only once. A
-/// step that fails for this ends the run.
+/// A step takes four rates, one matrix of derivatives and one decomposition, for all equations. It is a W-method: the order does
+/// not depend on the exactness of the derivatives. It suits equations that are stiff by damping or by first-order states, and
+/// stiff springs that turn little: if a spring of the frequency w turns by the angle a within a step, (w h)^2 a^2 must not be
+/// large against 1, as for all methods that solve linear systems only once. A step that fails for this reason ends the run.
 ///
 /// Source: J. Rang, L. Angermann, New Rosenbrock W-methods of order 3 for partial differential algebraic equations of
 /// index 1, BIT 45 (2005), table 4.2.
@@ -23,12 +22,12 @@ use crate::vector::Vector;
 pub struct Ros34Pw2<S> {
     /// Longest step, s.
     pub longest_step: S,
-    /// Drift that is tolerated, as a fraction of the typical coordinate and velocity.
+    /// Tolerated drift, as a fraction of the typical coordinate and velocity.
     pub tolerance: S,
     /// Estimated error of a step, as a fraction of the size of a state, above which the run ends.
     pub worst_error: S,
     partition: Partition<S>,
-    /// The error of the last step.
+    /// Error of the last step.
     estimate: Estimate<S>,
 }
 
@@ -57,10 +56,10 @@ const ERROR: [f64; STAGES] = [
     ALPHA[3][2] + GAMMAS[3][2] - 5.0e-1,
     GAMMA - 2.179_332_607_542_295e-1,
 ];
-/// What the step of a linear oscillator errs by, 0.0259 z^4, over what the formula of order 2 differs by, 0.0396 z^3, to the
-/// power of 4/3; of equations that are stiff both fall alike.
+/// Error of the step of a linear oscillator, 0.0259 z^4, over the difference of the formula of order 2, 0.0396 z^3, to the power
+/// of 4/3; for stiff equations both fall alike.
 const CONSTANT: f64 = 1.92;
-/// Estimates of order 2 below this share of a state are left as they are: the step errs by less than 1e-4.
+/// Estimates of order 2 below this share of a state are ignored: the step errs by less than 1e-4.
 const SHORT: f64 = 6e-4;
 /// The stages are solved for u = Gamma k, so that no product with the Jacobian is needed (E. Hairer, G. Wanner, Solving
 /// Ordinary Differential Equations II, IV.7, eq. (7.25)): C = 1/gamma I - Gamma^-1, A = alpha Gamma^-1. The weights
@@ -70,7 +69,8 @@ const A: Coefficients = product(&ALPHA, &INVERSE);
 const E: [f64; STAGES] = product(&[ERROR; STAGES], &INVERSE)[0];
 
 impl<S: Real> Ros34Pw2<S> {
-    /// Steps of at most `longest_step`, in s; a drift of 1e-10 (of what the scalar can resolve, if that is more).
+    /// The method with steps of at most `longest_step`, in s, and a tolerated drift of 1e-10 (at least the resolution of the
+    /// scalar).
     pub fn new(longest_step: S) -> Self {
         let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
         Self {
@@ -82,23 +82,23 @@ impl<S: Real> Ros34Pw2<S> {
         }
     }
 
-    /// The same with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
+    /// This method with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
     #[must_use]
     pub fn with_tolerance(self, tolerance: S) -> Self {
         Self { tolerance, ..self }
     }
 }
 
-/// A state and the estimate of its error.
+/// A state after a step, and the estimate of its error.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<X> {
-    /// The state after the step.
+    /// State after the step.
     pub x: X,
-    /// The estimate.
+    /// Estimate of its error.
     pub error: X,
 }
 
-/// The formula, for who brings the rates and the linear algebra.
+/// The formula, for callers that provide the rates and the linear algebra.
 #[derive(Clone, Copy, Debug)]
 pub struct Ros34Pw2Formula;
 
@@ -106,14 +106,14 @@ impl Ros34Pw2Formula {
     /// Estimated error of a step, as a fraction of the size of a state, above which it is not taken.
     pub const WORST_ERROR: f64 = 0.05;
 
-    /// Of a step of `h` the lambda of the linear systems (lambda I - J) k = r.
+    /// The lambda of the linear systems (lambda I - J) k = r of a step of `h`.
     #[inline]
     pub fn lambda<S: Real>(h: S) -> S {
         S::lit(1.0) / (S::lit(GAMMA) * h)
     }
 
-    /// A step of `h` from `x` at `t`: `rates` gives the rate of a stage, by its number, and `solve` the k of an r; `by_t` is the
-    /// derivative of the rate by the time.
+    /// Makes a step of `h` from `x` at `t`: `rates` gives the rate of a stage, by its number, and `solve` the k of an r; `by_t`
+    /// is the derivative of the rate by the time.
     #[inline]
     pub fn step<S: Real, X: Vector<S>>(
         (t, h): (S, S),
@@ -144,7 +144,7 @@ impl Ros34Pw2Formula {
 }
 
 impl<X> Trial<X> {
-    /// The largest error as a fraction of the size of its state, which began as `x`.
+    /// Largest error as a fraction of the size of its state, which began as `x`.
     pub fn worst<S: Real>(&self, x: &X, typical: &X) -> S
     where
         X: Vector<S>,
@@ -152,7 +152,7 @@ impl<X> Trial<X> {
         (0..X::LEN).fold(S::ZERO, |worst, i| self.fraction(i, x, typical).max(worst))
     }
 
-    /// The same with the state that it belongs to.
+    /// The largest error, with its state.
     #[cold]
     pub(crate) fn largest<S: Real>(&self, x: &X, typical: &X) -> Estimate<S>
     where
@@ -161,7 +161,7 @@ impl<X> Trial<X> {
         Estimate::largest(X::LEN, |i| self.fraction(i, x, typical))
     }
 
-    /// The error of a state as a fraction of its size.
+    /// Error of a state as a fraction of its size.
     #[inline]
     fn fraction<S: Real>(&self, i: usize, x: &X, typical: &X) -> S
     where
@@ -172,7 +172,7 @@ impl<X> Trial<X> {
     }
 }
 
-/// One step of `h` from the state reached.
+/// Makes one step of `h` from the state reached.
 fn step<M: Linear>(context: &mut Context<'_, M>, h: M::S) -> Result<Trial<M::X>, Fault> {
     let (mut by_x, mut by_t) = (M::Derivatives::zeros(), context.x);
     context.differentiate(&mut by_x, Some(&mut by_t))?;
@@ -212,7 +212,7 @@ impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
         }
         if error > M::S::lit(SHORT) {
             let found = trial.largest(&context.x, &typical).of_term(CONSTANT, 4.0 / 3.0);
-            // What ends a run is `worst_error` alone.
+            // Only `worst_error` ends a run.
             self.estimate = Estimate { error: found.error.min(M::S::lit(0.99)), ..found };
         }
         self.partition.arrive(context, trial.x, self.tolerance, context.stats.by_rank > by_rank)?;

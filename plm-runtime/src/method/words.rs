@@ -1,6 +1,7 @@
 //! Methods with steps of fixed length as words; [`Embedded`](super::Embedded) pairs are beside their code.
 //!
-//! Options, and what one step leaves for the next. Not the partition of an interval, which is made anew with each.
+//! Options, and the data that one step leaves for the next; without the partition of an interval, which is made
+//! for each interval.
 
 use super::{FixedStep, Formula, Ros34Pw2};
 use crate::scalar::Real;

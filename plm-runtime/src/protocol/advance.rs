@@ -1,4 +1,4 @@
-//! The general path: steps of any method to the end of an interval, each judged, then committed or made in another way.
+//! General path: steps of any method to the end of an interval, each judged, then committed or made in another way.
 
 use super::judge::{Limits, Proposal, Rules, Verdict, judge};
 use super::near_singular::{Rescue, is_singular, true_cause};
@@ -10,9 +10,9 @@ use crate::method::{Context, DriftCheck, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::{System, Updated};
 
-/// So many failures one after the other end a run, although the near-singular method could go on each time.
+/// Most consecutive failures of a run, even if the near-singular method could continue each time.
 const MOST_FAILURES: u32 = 100;
-/// A step that is refused is not shortened below so many units in the last place of the time.
+/// A refused step is shortened only if it is longer than so many units in the last place of the time.
 const SHORTEST_ULPS: f64 = 64.0;
 
 /// Event detector, history and limits of a run.
@@ -22,31 +22,31 @@ pub(crate) struct Guarded<'r, M: System> {
     pub(crate) limits: Limits<M::S>,
 }
 
-/// What became of a proposed step.
+/// Result of a proposed step.
 pub(crate) enum Made<S> {
-    /// It was committed.
+    /// The step was committed.
     Step,
-    /// It was refused; a shorter one is tried.
+    /// The step was refused; a shorter one is tried.
     Shortened,
-    /// It was refused, and is to be made in parts.
+    /// The step was refused; it will be made in parts.
     Split(Parts<S>),
-    /// It was refused, and the state given to the near-singular method.
+    /// The step was refused; the near-singular method continues from its start.
     NearSingular,
-    /// There is none; the near-singular method may have one.
+    /// The method could make no step; the near-singular method may make one.
     Failed(Fault),
     /// The run ends.
     Ended(Fault),
 }
 
-/// A step that is to be made in parts.
+/// A step that will be made in parts.
 pub(crate) struct Parts<S> {
     /// Its end, s.
     until: S,
-    /// So many at least.
+    /// Least number of parts.
     count: u32,
 }
 
-/// A run on its way to the end of its interval.
+/// A run to the end of its interval.
 pub(crate) struct Advance<'r, 'c, M: Mechanism, I, O> {
     pub(crate) method: &'r mut I,
     pub(crate) context: &'r mut Context<'c, M>,
@@ -55,7 +55,7 @@ pub(crate) struct Advance<'r, 'c, M: Mechanism, I, O> {
 }
 
 impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
-    /// Advances to the time `end`, from time event to time event.
+    /// Advances to the time `end`, from one time event to the next.
     pub(crate) fn run_to(&mut self, end: M::S) -> Result<(), Fault> {
         while self.context.time < end {
             let Context { system, time, held, .. } = &*self.context;
@@ -73,7 +73,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         Ok(())
     }
 
-    /// Commits the time event that was reached.
+    /// Commits the time event at the time that was reached.
     fn time_event(&mut self) -> Result<(), Fault> {
         let Context { time, held, x, .. } = *self.context;
         let (before, mut after, mut x) = (Beginning { time, held, x }, held, x);
@@ -87,7 +87,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         Ok(())
     }
 
-    /// Advances to the end of the interval; no time event lies before it.
+    /// Advances to the end of the interval, before which there is no time event.
     fn run(&mut self) -> Result<(), Fault> {
         let before = self.modes();
         self.begin()?;
@@ -96,13 +96,13 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         self.go_on(Made::Step)
     }
 
-    /// Advances to the end of the interval after a step that was made by others.
+    /// Continues to the end of the interval after a step that another method or path has made.
     pub(crate) fn resume(&mut self, made: Made<M::S>) -> Result<(), Fault> {
         self.method.begin(self.context)?;
         self.go_on(made)
     }
 
-    /// The same in the steps that the method has planned.
+    /// Makes steps to the end of the interval, for which the method is prepared; `made` is the result of the last step.
     pub(crate) fn go_on(&mut self, mut made: Made<M::S>) -> Result<(), Fault> {
         let mut failures = 0;
         loop {
@@ -117,7 +117,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
                 _ if M::Rescue::holds(self.context) => self.near_singular(None)?,
                 _ => {}
             }
-            // False for what is not a number.
+            // False for NaN.
             let goes_on = self.context.time < self.context.end;
             if !goes_on {
                 return Ok(());
@@ -126,7 +126,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
     }
 
-    /// Proposes a step, and does what the judge says of it.
+    /// Proposes a step, and carries out the judge's verdict.
     #[inline]
     fn step(&mut self) -> Made<M::S> {
         if const { Self::COASTS } {
@@ -141,13 +141,13 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
     }
 
-    /// Goes back to where a step began that cannot be made.
+    /// Returns to the start of a step that could not be made.
     pub(crate) fn fail(&mut self, from: &Beginning<M>, fault: Fault) -> Made<M::S> {
         self.refuse(from);
         Made::Failed(fault)
     }
 
-    /// Does what the judge says of the step that was proposed, from its beginning to the state reached.
+    /// Carries out the judge's verdict on the proposed step, from its beginning to the state reached.
     pub(crate) fn conclude(&mut self, from: &Beginning<M>, event: Event) -> Made<M::S> {
         let Self { method, context, guarded, .. } = self;
         let (length, limits) = (I::LENGTH, guarded.limits);
@@ -192,8 +192,8 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
     }
 
-    /// Commits a step, with the discrete state and the state after it: charts, revolutions, counters, what the method keeps of its
-    /// end, which was projected if it had `drifted`; then the events there.
+    /// Commits a step; `behind` are the discrete state and the state after it. Updates charts, revolutions, counters and the memory of
+    /// the method, whose end was projected if it had `drifted`; then commits the events there.
     #[inline]
     fn commit(
         &mut self,
@@ -202,13 +202,13 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         (Updated { moved, turned, passed }, drifted): (Updated, bool),
         event: Event,
     ) -> Result<(), Fault> {
-        // Samples within the step belong to the modes that were held over it. An observer may end the run after this step; what switches
-        // is still on its way to the end of the interval.
+        // Samples within the step need the modes during it. An observer may end the run after this step; the events are still committed
+        // with the end of the interval that the step was made for.
         let end = self.context.end;
         self.observer.see(self.method, self.context)?;
         let stop = core::mem::replace(&mut self.context.end, end);
         let Self { method, context, guarded, .. } = self;
-        // What switches at once makes no step.
+        // An event at the start of a step makes no step.
         if context.time > from.time {
             guarded.history.see((&**method, context.system), || *from);
         }
@@ -233,7 +233,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         Ok(())
     }
 
-    /// Discrete state, state and number of events, for an observer that sees events.
+    /// Discrete state, state and number of events, if the observer shows events.
     fn modes(&self) -> Option<(Beginning<M>, u64)> {
         let Context { time, held, x, .. } = *self.context;
         O::SWITCHES.then_some((Beginning { time, held, x }, self.context.stats.switches))
@@ -247,15 +247,15 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
     }
 
-    /// Makes sure that the modes of the conditions are those of the state.
+    /// Makes the modes of the conditions agree with the state.
     fn begin(&mut self) -> Result<(), Fault> {
         self.guarded.detector.begin(self.method, self.context)
     }
 
-    /// Goes back to where a step began.
+    /// Returns to the start of a step.
     fn refuse(&mut self, from: &Beginning<M>) {
         let Self { context, guarded, .. } = self;
-        // What switches at once had made none.
+        // An event at the start of the step made none.
         let made = u64::from(context.time > from.time);
         (context.time, context.x) = (from.time, from.x);
         context.stats.steps -= made;
@@ -263,7 +263,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         guarded.detector.forget();
     }
 
-    /// Refuses a step for which a shorter one is tried.
+    /// Refuses a step, and asks the method for a shorter one.
     #[cold]
     fn shorten(&mut self, from: &Beginning<M>, fault: Fault) -> Made<M::S> {
         let (h, time) = (self.context.time - from.time, self.context.time);
@@ -279,14 +279,14 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         self.begin().map_or_else(Made::Failed, |()| Made::Shortened)
     }
 
-    /// The same run with another method, or with another view of it.
+    /// This run with another method and other limits.
     fn with<'s, J>(&'s mut self, method: &'s mut J, limits: Limits<M::S>) -> Advance<'s, 'c, M, J, O> {
         let Guarded { detector, history, .. } = &mut self.guarded;
         let guarded = Guarded { detector: &mut **detector, history: &mut **history, limits };
         Advance { method, context: &mut *self.context, guarded, observer: &mut *self.observer }
     }
 
-    /// Makes a step that is long beside the turn next to a flat pose in shorter steps of the same formula.
+    /// Makes a step that is too long for a sharp turn near a flat pose, in shorter steps of the same formula.
     #[cold]
     fn split(&mut self, parts: Parts<M::S>) -> Made<M::S> {
         let whole = core::mem::replace(&mut self.context.end, parts.until);
@@ -310,7 +310,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         made
     }
 
-    /// Steps to the end of the interval, until one is refused or only the near-singular method can go on.
+    /// Makes steps to the end of the interval, until one is refused or only the near-singular method can continue.
     fn follow(&mut self) -> Made<M::S> {
         if let Err(fault) = self.begin().and_then(|()| self.method.begin(self.context)) {
             return Made::Failed(fault);
@@ -327,8 +327,8 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         Made::Step
     }
 
-    /// Steps of the near-singular method, until the mechanism's own coordinates are regular again. After a fault only where it may
-    /// come from a singular pose.
+    /// Makes steps by the near-singular method, until the mechanism's own coordinates are regular again. After a fault it does so only
+    /// if the fault may come from a singular pose.
     #[cold]
     fn near_singular(&mut self, failed: Option<Fault>) -> Result<(), Fault> {
         if let Some(fault) = failed {
@@ -338,7 +338,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             self.guarded.detector.forget();
             self.begin()?;
         }
-        // The energy is that of the mechanism's own coordinates.
+        // The energy check needs the mechanism's own coordinates.
         let limits = Limits { energy_jump: None, ..self.guarded.limits };
         let (mut rescue, mut refused) = (M::Rescue::new(), 0);
         while self.context.time < self.context.end && M::Rescue::holds(self.context) {
@@ -349,7 +349,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
                 return Err(true_cause(failed, fault));
             }
             if self.context.time <= from.time {
-                // The discrete state holds the pose.
+                // The discrete state contains the pose.
                 self.context.held = from.held;
                 refused += 1;
                 if refused > MOST_FAILURES {
@@ -368,7 +368,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             }
         }
         self.method.restart();
-        // The step before the turn was chosen without it.
+        // The length of the step before the turn did not take the turn into account.
         if let Some(h) = rescue.followed() {
             self.method.shorten(h + h);
         }
@@ -376,7 +376,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     }
 }
 
-/// Projects the state reached onto the constraints.
+/// Projects the state that was reached onto the constraints.
 fn project_end<M: System<S: Real>>(context: &mut Context<'_, M>) -> Result<(), Fault> {
     let (time, mut x) = (context.time, context.x);
     events::before_projection(context, time, &x)?;

@@ -1,7 +1,8 @@
-//! Fixed steps after which nothing is to be done: they are committed without a copy of the discrete state.
+//! Fixed steps that need no further action: they are committed without a copy of the discrete state.
 //!
-//! The general path works on copies, so that a step can be refused. Systems whose discrete state is large say beforehand that it stays
-//! ([`Constraints::is_settled`](crate::Constraints::is_settled)); such a step is judged where it stands, and all others go the general way.
+//! The general path works on copies, so that a step can be refused. A system with a large discrete state can tell that a step leaves it
+//! unchanged ([`Constraints::is_settled`](crate::Constraints::is_settled)). Such a step is judged in place; all others take the general
+//! path.
 
 use super::Observer;
 use super::advance::{Advance, Made};
@@ -12,10 +13,10 @@ use crate::protocol::near_singular::{Nearness, Rescue};
 use crate::scalar::Scalar;
 
 impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
-    /// Are steps of the method made by [`coast`](Self::coast)?
+    /// True if the steps of the method are made by [`coast`](Self::coast).
     pub(super) const COASTS: bool = I::FAST && !I::DENSE && M::SETTLES;
 
-    /// Proposes a step of fixed length, and commits it where it stands if the judge would accept it as it is.
+    /// Proposes a step of fixed length, and commits it in place if the judge would accept it without any change.
     #[inline]
     pub(super) fn coast(&mut self) -> Made<M::S> {
         let Self { method, context, .. } = self;
@@ -29,7 +30,7 @@ impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
                 Made::Step
             });
         }
-        // The discrete state where a step began is asked for with dense output alone.
+        // Only dense output needs the discrete state at the start of a step.
         let from = Beginning { time, held: self.context.held, x };
         match made {
             Ok(()) => self.conclude(&from, Event::None),
@@ -37,7 +38,7 @@ impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
         }
     }
 
-    /// Would the judge accept the step from a time and state to the state reached, with nothing to change after it and no event?
+    /// True if the judge would accept the step from a time and state to the state reached, with nothing to change after it and no event.
     #[inline]
     fn has_nothing_to_do(&self, from: (M::S, &M::X)) -> bool {
         let context = &*self.context;

@@ -6,10 +6,10 @@ use crate::scalar::Scalar;
 use crate::system::{Energy, Step};
 use crate::vector::Vector;
 
-/// Compares the energy after a step with that before and the work in between, by the trapezoidal rule.
+/// Compares the change of energy over a step with the work done in it, by the trapezoidal rule.
 ///
 /// # Errors
-/// [`Cause::EnergyJump`] where they differ by more than `fraction` of the energy that moves.
+/// [`Cause::EnergyJump`] if they differ by more than `fraction` of the energy that moves.
 pub(super) fn check_energy<M: Mechanism>(step: &Step<'_, M>, fraction: M::S) -> Result<(), Fault> {
     let energy = |(t, x): (M::S, &M::X)| step.system.energy(t, step.held, x);
     let (Some(from), Some(to)) = (energy(step.from), energy(step.to)) else {
@@ -18,7 +18,7 @@ pub(super) fn check_energy<M: Mechanism>(step: &Step<'_, M>, fraction: M::S) -> 
     let half = M::S::lit(0.5) * (step.to.0 - step.from.0);
     let jump = (to.kinetic - from.kinetic) + (to.gravity - from.gravity) - half * (from.power + to.power);
     let moves = from.kinetic.max(to.kinetic).max((half * from.power).abs()).max((half * to.power).abs());
-    // False for what is not a number.
+    // False for NaN.
     let fits = jump.abs() <= fraction * moves;
     if !fits {
         let cause = Cause::EnergyJump { by: jump.to_f64(), of: moves.to_f64() };
@@ -27,7 +27,7 @@ pub(super) fn check_energy<M: Mechanism>(step: &Step<'_, M>, fraction: M::S) -> 
     Ok(())
 }
 
-/// The part whose own change in a step changes the energy most.
+/// The part whose own change over a step changes the energy most.
 #[cold]
 fn largest_change<M: Mechanism>(step: &Step<'_, M>, from: Energy<M::S>) -> &'static str {
     let (mut part, mut most) = ("", M::S::ZERO);

@@ -1,6 +1,6 @@
 //! Verdict on a proposed step. The judge changes nothing.
 //!
-//! Every path of [`crate::protocol`] has this judge: the general one, the fast one, a step by itself, and the lanes of a batch.
+//! All paths of [`crate::protocol`] have this judge: the general one, the fast one, a single step, and the lanes of a batch.
 
 use super::energy::check_energy;
 use super::near_singular::{Nearness, Rescue};
@@ -10,60 +10,60 @@ use crate::method::{Context, DriftCheck, Estimate, Length};
 use crate::scalar::Scalar;
 use crate::system::{Step, System, Updated};
 
-/// What ends a run although its state could be continued.
+/// Limits that end a run although its state could be continued.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits<S> {
-    /// The energy jumps by more than this fraction.
+    /// Largest jump of the energy, as a fraction of the energy that moves.
     pub(crate) energy_jump: Option<S>,
-    /// A loop can go on in several ways.
+    /// True if the run ends at a change point, where a loop can continue in several ways.
     pub(crate) change_points: bool,
 }
 
 impl<S> Limits<S> {
-    /// None.
+    /// No limits.
     pub(crate) const NONE: Self = Self { energy_jump: None, change_points: false };
 }
 
-/// What a step is judged by.
+/// Criteria by which a step is judged.
 pub(crate) struct Rules<S> {
     pub(crate) length: Length,
     pub(crate) drift: DriftCheck<S>,
     pub(crate) limits: Limits<S>,
 }
 
-/// A step that a method has made, with copies of what it leads to.
+/// A step that a method has made, with copies of the state and discrete state that it leads to.
 pub(crate) struct Proposal<'a, M: System> {
     pub(crate) system: &'a M,
-    /// Time, s, and state where it begins.
+    /// Time, s, and state at its beginning.
     pub(crate) from: (M::S, &'a M::X),
     /// The time at its end, s.
     pub(crate) end: M::S,
-    /// The discrete state over it; after the verdict [`Accept`](Verdict::Accept), that from its end on.
+    /// Discrete state during the step; after the verdict [`Accept`](Verdict::Accept), the one that applies from its end on.
     pub(crate) held: &'a mut M::U,
-    /// The state at its end; after that verdict, with the coordinates and revolutions of that discrete state.
+    /// State at its end; after that verdict, in the coordinates and revolutions of the new discrete state.
     pub(crate) x: &'a mut M::X,
-    /// The smallest pivot ratio of its rates.
+    /// Smallest pivot ratio of its rates.
     pub(crate) health: M::S,
 }
 
-/// What a proposed step is.
+/// Verdict on a proposed step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
-    /// It is committed.
+    /// The step is committed.
     Accept(Updated),
     /// The state is projected onto the constraints, and judged again.
     Project,
-    /// A shorter step is tried; of a method that has none this fault is told.
+    /// A shorter step is tried; if the method has none, this fault is reported.
     Shorten(Fault),
-    /// It is made in so many parts at least.
+    /// The step is made in at least so many parts.
     Split(u32),
-    /// It is left to the near-singular method.
+    /// The step is left to the near-singular method.
     NearSingular,
-    /// The run ends before it.
+    /// The run ends before the step.
     Refuse(Fault),
 }
 
-/// Judges a step by what it led to and by the estimate of its error. Nothing but the proposal is changed.
+/// Judges a step by the state that it leads to and by its error estimate. Changes nothing but the proposal.
 #[allow(clippy::inline_always, reason = "the fast path keeps the state in registers")]
 #[inline(always)]
 pub(crate) fn judge<M: Mechanism>(
@@ -96,7 +96,7 @@ pub(crate) fn judge<M: Mechanism>(
 }
 
 impl<'s, M: System> Proposal<'s, M> {
-    /// The step of a context to the state reached, with copies `held` and `x` of it.
+    /// The proposal for the step of a context, with copies `held` and `x` of the state reached.
     #[inline]
     pub(crate) fn of(
         context: &Context<'s, M>,
@@ -106,7 +106,7 @@ impl<'s, M: System> Proposal<'s, M> {
         Self { system: context.system, from, end: context.time, held, x, health: context.health }
     }
 
-    /// The step.
+    /// The step that is proposed.
     #[inline]
     pub(crate) fn step(&self) -> Step<'_, M> {
         let Self { system, from, end, held, x, health } = self;

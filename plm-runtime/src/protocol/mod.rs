@@ -1,17 +1,18 @@
 //! One step, from its proposal to its commit.
 //!
-//! 1. A method proposes a step ([`Method::advance`](crate::Method::advance), [`FixedLength::fast_step`](crate::method::FixedLength::fast_step)). With dense
-//!    output the event detector ([`crate::events`]) ends it at the first event.
-//! 2. The judge says what it is, a verdict, and changes nothing.
-//! 3. What the verdict asks for is done: the state is projected, the step is shortened, split, left to the near-singular method or
-//!    refused; or it is committed: discrete state, charts, revolutions, then the events at its end.
+//! 1. A method proposes a step ([`Method::advance`](crate::Method::advance),
+//!    [`FixedLength::fast_step`](crate::method::FixedLength::fast_step)). With dense output the event detector
+//!    ([`crate::events`]) ends it at the first event.
+//! 2. The judge returns a verdict, and changes nothing but the copies of the proposal.
+//! 3. The verdict is carried out: the state is projected, or the step is shortened, split, left to the near-singular method, refused, or
+//!    committed: discrete state, charts, revolutions, then the events at its end.
 //!
 //! | path | proposal | what is done |
 //! |---|---|---|
 //! | general | any method | `advance` |
-//! | steps after which nothing is to be done, of systems with a large discrete state | a formula | commits, else as general |
-//! | an interval of one fixed step | a formula, on a copy of the state | commits what is accepted at once, else the general path begins anew |
-//! | a step by itself ([`crate::step`]) | code that is emitted | commits, or is a fault |
+//! | steps that need no further action, of systems with a large discrete state | a formula | commits, else as general |
+//! | an interval of one fixed step | a formula, on a copy of the state | commits if accepted at once, else the general path repeats it |
+//! | a single step ([`crate::step`]) | code that is emitted | commits, or is a fault |
 //! | lanes ([`crate::lanes`]) | eight formulas at once | as `advance`, lane by lane |
 
 mod advance;

@@ -5,46 +5,46 @@ use crate::mechanism::Mechanism;
 use crate::method::{Context, Length, Method};
 use crate::system::Step;
 
-/// A method that takes over from another one near singular poses.
+/// Near-singular method: it replaces another method near singular poses.
 pub trait Rescue<M: Mechanism>: Method<M> {
-    /// Nothing is known yet.
+    /// A method without history.
     fn new() -> Self;
 
-    /// Is the state one that only this method can go on from?
+    /// True if only this method can continue from the state.
     fn holds(context: &Context<'_, M>) -> bool;
 
-    /// Whether a step can be anything but [`Nearness::Regular`].
+    /// True if a step can be anything but [`Nearness::Regular`].
     const POSSIBLE: bool;
 
-    /// How near to singular poses a step has come whose length was chosen so.
+    /// Distance of a step, whose length was chosen in this way, from singular poses.
     fn nearness(step: &Step<'_, M>, length: Length) -> Nearness;
 
-    /// Gives it the state, which another method cannot go on from; whether it can.
+    /// Takes over a state from which another method cannot continue. Returns true if it can.
     fn take(context: &mut Context<'_, M>) -> bool;
 
-    /// The part that closes the loop which went through a flat pose in the last step, where the mechanism could have gone
-    /// on in another way.
+    /// Part that closes the loop which crossed a flat pose in the last step, if the mechanism could have continued in another
+    /// way.
     fn passed(&self) -> Option<&'static str>;
 
-    /// The length of the last step, s, if it followed a turn beside a flat pose.
+    /// Length of the last step, s, if it followed a turn beside a flat pose.
     fn followed(&self) -> Option<M::S>;
 }
 
-/// How near to singular poses a step has come.
+/// Distance of a step from singular poses, in classes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Nearness {
-    /// It can be trusted.
+    /// The step can be trusted.
     Regular,
-    /// The mechanism turns sharply next to a flat pose: in so many parts the step is short beside the turn.
+    /// The mechanism turns sharply next to a flat pose; a step in so many parts is short in comparison with the turn.
     Turn {
         /// At least 2.
         parts: u32,
     },
-    /// It has led over poses that are so nearly singular that only the near-singular method can be trusted.
+    /// The step crosses poses that are so nearly singular that only the near-singular method can be trusted.
     Singular,
 }
 
-/// The cause of a fault near a singular pose: that which the mechanism's own coordinates told, but where the motion ends there.
+/// Cause of a fault near a singular pose: that of the mechanism's own coordinates, unless the motion ends at the pose.
 pub(super) fn true_cause(failed: Option<Fault>, fault: Fault) -> Fault {
     match failed {
         Some(cause) if !matches!(fault.cause, Cause::LockedAt { .. }) => Fault { time: fault.time, ..cause },
@@ -52,7 +52,7 @@ pub(super) fn true_cause(failed: Option<Fault>, fault: Fault) -> Fault {
     }
 }
 
-/// Can a fault come from a pose at which the mechanism's own coordinates are not regular?
+/// True if a fault can come from a pose at which the mechanism's own coordinates are not regular.
 pub(super) fn is_singular(fault: &Fault) -> bool {
     use Cause::{
         Drift, Locked, NotConverged, NotFinite, Singular, StepTooLong, StepTooSmall, TurnedTooFar, Workspace,

@@ -5,26 +5,26 @@ use crate::fault::Fault;
 use crate::mechanism::Mechanism;
 use crate::method::{Context, Method};
 
-/// An observer of accepted steps.
+/// Observer of accepted steps.
 pub(crate) trait Observer<M: Mechanism> {
-    /// Does it see anything at all?
+    /// True if it sees accepted steps.
     const SEES: bool = true;
-    /// Does it see events? A run without pays nothing for them.
+    /// True if it sees events. Runs without events to show pay nothing for them.
     const SWITCHES: bool = false;
-    /// May it end the run, by putting `context.end` at the time of a step that it sees?
+    /// True if it may end the run, by setting `context.end` to the time of a step that it sees.
     const ENDS: bool = false;
 
-    /// A step was accepted; what was held over it is held still.
+    /// Called after a step was accepted; the discrete state is still that during the step.
     fn see<I: Method<M>>(&mut self, method: &mut I, context: &mut Context<'_, M>) -> Result<(), Fault>;
 
-    /// Something has switched; `before` is the discrete state and the state until then.
+    /// Called after an event; `before` has the discrete state and the state just before it.
     #[inline]
     fn switched(&mut self, context: &Context<'_, M>, before: &Beginning<M>, what: Trigger) {
         let _ = (context, before, what);
     }
 }
 
-/// What has switched.
+/// Trigger of an event.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Trigger {
     /// This condition.
@@ -35,7 +35,7 @@ pub(crate) enum Trigger {
     Time,
 }
 
-/// Nobody.
+/// Observer that sees nothing.
 pub(crate) struct Unobserved;
 
 impl<M: Mechanism> Observer<M> for Unobserved {

@@ -12,13 +12,13 @@ pub enum AtOnce {
 }
 
 impl AtOnce {
-    /// Whether steps are.
+    /// True if steps are made at once.
     #[must_use]
     pub const fn has_steps(self) -> bool {
         !matches!(self, Self::Nothing)
     }
 
-    /// Whether rates are.
+    /// True if rates are made at once.
     #[must_use]
     pub const fn has_rates(self) -> bool {
         matches!(self, Self::Rates)

@@ -14,7 +14,7 @@ pub trait Real: Scalar<Mask = bool, Turns = i32> + PartialOrd + Split {
     fn plain(self) -> Self::Plain;
     /// A number whose derivatives are zero.
     fn of_plain(plain: Self::Plain) -> Self;
-    /// The same derivatives with another value.
+    /// This number's derivatives with another value.
     #[must_use]
     fn with_plain(self, plain: Self::Plain) -> Self;
     /// Makes an operation. Numbers that are recorded take the derivatives of all of it at once, where these are few.

@@ -1,6 +1,6 @@
 //! Use of vector registers by numbers.
 
-/// How numbers use vector registers: what depends on them is whether two of them side by side take less time.
+/// How numbers use vector registers, which decides whether two of them side by side take less time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Registers {
     /// One number at a time.
@@ -12,7 +12,7 @@ pub enum Registers {
 }
 
 impl Registers {
-    /// Whether two rates in a row take less time side by side, of a rate for which that pays or not where registers are filled.
+    /// True if two rates in a row take less time side by side; `in_lanes` is the answer of a rate for numbers that fill registers.
     #[must_use]
     pub const fn pays_in_pairs(self, in_lanes: bool) -> bool {
         match self {
@@ -22,7 +22,7 @@ impl Registers {
         }
     }
 
-    /// Whether a number has several lanes.
+    /// True if a number has several lanes.
     #[must_use]
     pub const fn are_filled(self) -> bool {
         matches!(self, Self::Filled)

@@ -12,9 +12,9 @@ pub(super) struct Combined<S, const NQ: usize, const NC: usize> {
     pub(super) of: [[S; NC]; NC],
     /// Their norms.
     pub(super) sizes: [S; NC],
-    /// Up to this size they vanish at the singular pose.
+    /// Combinations up to this size vanish at the singular pose.
     pub(super) small: S,
-    /// Combinations of rows that say something.
+    /// True for combinations of rows that are not redundant.
     pub(super) kept: [bool; NC],
 }
 
@@ -30,7 +30,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Combined<S, NQ, NC> {
         }
     }
 
-    /// Tells those that vanish at the singular pose: up to so many times the smallest.
+    /// Marks the combinations that vanish at the singular pose: those up to `together` times the smallest.
     pub(super) fn part(&mut self, together: S) {
         let small = if together > S::lit(1.0) { SMALL.of::<S>() * largest(&self.sizes) } else { S::ZERO };
         self.small = (together * self.least()).max(small);
@@ -50,12 +50,12 @@ impl<S: Real, const NQ: usize, const NC: usize> Combined<S, NQ, NC> {
         regular.map(|((size, _), combination)| (*size, combination))
     }
 
-    /// The combinations that vanish there: of which residuals, and what is left of their rows.
+    /// The combinations that vanish there: of which residuals, and the rest of their rows.
     pub(super) fn vanishing(&self) -> impl Iterator<Item = (&[S; NC], &[S; NQ])> {
         self.of_vanishing().map(|(_, combination)| combination)
     }
 
-    /// The same with their sizes.
+    /// The combinations that vanish there, with their sizes.
     fn of_vanishing(&self) -> impl Iterator<Item = (S, (&[S; NC], &[S; NQ]))> {
         let combinations = self.of.iter().zip(&self.rows);
         let all = self.sizes.iter().zip(&self.kept).zip(combinations);

@@ -22,18 +22,18 @@ use crate::workspace;
 pub(super) struct Critical<S, const NQ: usize, const NC: usize> {
     /// The pose.
     pub(super) q: [DoubleDouble<S>; NQ],
-    /// What stays open there, m and rad.
+    /// Residuals there, m and rad; zero for redundant rows.
     pub(super) open: [DoubleDouble<S>; NC],
     /// The combination of rows that vanishes there, of residuals in m; its largest entry is 1.
     pub(super) combination: [S; NC],
     /// By how much joints are open, all together, m: the difference of lengths.
     pub(super) gap: S,
-    /// What the rounding of the lengths may make of that, m.
+    /// Bound of the rounding error of `gap` due to that of the lengths, m.
     rounding: S,
 }
 
 impl<S: Real, const NQ: usize, const NC: usize> Critical<S, NQ, NC> {
-    /// Whether the lengths are those with which the mechanism comes to the pose.
+    /// True if the lengths are those with which the mechanism reaches the pose.
     pub(super) fn is_reached(&self) -> bool {
         self.gap <= self.rounding
     }
@@ -50,7 +50,7 @@ pub(super) struct Rows<
     pub(super) system: &'m M,
     extended: &'m M::Extended,
     length: M::S,
-    /// Rows that say something: the others repeat what they say at every pose, and elimination leaves them out, or they are room.
+    /// False for redundant rows, which elimination leaves out, and for unused room.
     kept: [bool; NC],
 }
 
@@ -100,7 +100,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
         [TOGETHER.get(), 1.0].into_iter().find_map(|together| self.newton(t, q, M::S::lit(together)))
     }
 
-    /// The same for singular values that vanish together with the smallest, up to so many times it.
+    /// The singular pose next to `q`, if the singular values up to `together` times the smallest vanish together with it.
     fn newton(
         &self,
         t: M::S,
@@ -112,7 +112,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
             let dq = self.step(t, &q, together)?;
             let moved = largest(&dq);
             way = way + moved;
-            // False for what is not a number.
+            // False for NaN.
             let near = way < SEARCHED.of::<M::S>();
             if !near {
                 return None;
@@ -156,7 +156,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
         Vector::from_fn(|r| self.row(r) * open[r].rounded())
     }
 
-    /// What a row holds at a pose, m or rad: the sum that stands beside the prescribed value.
+    /// Value of a row at a pose, m or rad: the sum that is compared with the prescribed value.
     pub(super) fn held_value(&self, t: M::S, q: &[M::S; NQ], row: usize) -> M::S {
         let mut value = M::S::ZERO;
         self.system.phi_q(t, q, &mut |r, i, entry| {
@@ -165,7 +165,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
         value
     }
 
-    /// Rates of the residuals of what is prescribed, at rest, m/s.
+    /// Rates of the residuals of prescribed rows, at rest, m/s.
     pub(super) fn driven(&self, t: M::S, q: &[M::S; NQ]) -> [M::S; NC] {
         let rate = self.system.phi_dot(t, q, &[M::S::ZERO; NQ]);
         Vector::from_fn(|r| self.row(r) * rate[r])
@@ -301,7 +301,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
         up != down
     }
 
-    /// What is to be known of a singular pose.
+    /// The singular pose at `q`, if combinations of rows vanish there: open joints, gap and its rounding.
     #[inline(never)]
     fn told(&self, t: M::S, q: [DoubleDouble<M::S>; NQ], together: M::S) -> Option<Critical<M::S, NQ, NC>> {
         let pose = q.map(DoubleDouble::rounded);
@@ -330,7 +330,7 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
         let gap = self.in_metres(&open).iter().fold(M::S::ZERO, |gap, open| gap + open.abs());
         let terms = self.terms(t, &pose);
         let rounding = ROUNDED_LENGTH.of::<M::S>() * M::S::EPSILON * dot(&weights, &terms);
-        // False for what is not a number.
+        // False for NaN.
         let known = most > M::S::ZERO && gap < self.length.max(one);
         known.then_some(Critical { q, open, combination, gap, rounding })
     }

@@ -11,7 +11,7 @@ use crate::scalar::Real;
 use crate::tolerances::{APART, BEFORE_TURNING, FOLLOWS, NARROWEST, REFINEMENTS, VANISHES};
 use crate::vector::Vector;
 
-/// What lies ahead of a state.
+/// Predicted distance to the next singular pose along the motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SingularityDistance<S> {
     /// Distance over which the parabola changes by its own size, rad.
@@ -20,7 +20,7 @@ pub(super) struct SingularityDistance<S> {
     lowest: S,
     /// The lowest pivot may be zero.
     vanishes: bool,
-    /// rad/s, rad/s^2.
+    /// The fastest rate of a coordinate and its derivative, rad/s and rad/s^2.
     speed: S,
     acceleration: S,
 }
@@ -101,7 +101,7 @@ impl<S: Real> SingularityDistance<S> {
             } else {
                 (singularity.scale, singularity.lowest) = (S::INFINITY, S::INFINITY);
             }
-            // False for what is not a number.
+            // False for NaN.
             let nearer = singularity.scale < apart;
             if !nearer {
                 break;

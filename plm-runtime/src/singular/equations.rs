@@ -19,7 +19,7 @@ pub(super) struct Equations<
     const NX: usize,
 > {
     pub(super) system: M,
-    /// What the joints are open by, m and rad: less than the rounding of the lengths, so that a singular pose is one exactly.
+    /// Gaps by which the joints are open, m and rad: less than the rounding of the lengths, so that a singular pose is one exactly.
     pub(super) open: [DoubleDouble<M::S>; NC],
 }
 
@@ -158,7 +158,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
     const NQ: usize = NQ;
 
     fn rate(&self, t: M::S, u: &M::U, x: &[M::S; NX], dx: &mut [M::S; NX]) -> Health<M::S> {
-        // What is not a number makes a step too long, and a shorter one is tried.
+        // NaN means that a step is too long, and a shorter one is tried.
         *dx = self.evaluate(t, u, x).map_or([M::S::lit(f64::NAN); NX], |evaluated| evaluated.dx);
         Health::perfect()
     }

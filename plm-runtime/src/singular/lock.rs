@@ -1,8 +1,8 @@
-//! Where what is prescribed can go no further.
+//! The end of a prescribed motion that can go no further.
 //!
-//! The value of `lambda^T phi` at the singular pose next to a motion changes with the time where a row is prescribed. Where it comes
-//! to zero the two images of a loop meet, and there is no pose beyond: a fold of the motion over the time (W. J. F. Govaerts,
-//! Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000, 4.1).
+//! The value of `lambda^T phi` at the singular pose next to a motion changes with the time if a row is prescribed. At its zero the two
+//! images of a loop meet, and there is no pose beyond: a fold of the motion over the time (W. J. F. Govaerts, Numerical Methods for
+//! Bifurcations of Dynamical Equilibria, SIAM 2000, 4.1).
 
 use super::ExtendedPrecision;
 use super::critical::{Critical, Rows};

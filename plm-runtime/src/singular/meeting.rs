@@ -1,4 +1,4 @@
-//! What the lengths tell of the singular pose next to a state.
+//! Decides from the lengths whether a mechanism reaches the singular pose next to its state.
 
 use super::critical::{Critical, Rows};
 use super::distance::SingularityDistance;
@@ -35,10 +35,10 @@ impl Meeting {
         matches!(self, Self::Reached | Self::ReachedByChance)
     }
 
-    /// At a state in absolute coordinates. What joints are open by at a pose that is reached is left in `open`, m and rad.
+    /// At a state in absolute coordinates. The gaps of the joints at a pose that is reached are written to `open`, m and rad.
     ///
     /// # Errors
-    /// [`Cause::LockedAt`](crate::Cause::LockedAt) where what is prescribed comes to its end before the interval does.
+    /// [`Cause::LockedAt`](crate::Cause::LockedAt) if a prescribed motion comes to its end before the interval does.
     #[inline(never)]
     pub(super) fn of<S: Real, M, const NQ: usize, const NC: usize, const NX: usize>(
         context: &Context<'_, M>,

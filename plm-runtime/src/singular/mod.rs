@@ -1,21 +1,20 @@
-//! Near singular poses: how a mechanism goes on where its own coordinates are not regular.
+//! Near-singular poses: how a mechanism goes on if its own coordinates are not regular.
 //!
-//! Where every chart of a mechanism is poor, the constraints alone say how it moves. It goes on in absolute coordinates,
-//! with every state led back onto the constraints before its rate is computed, in numbers of twice the precision
-//! (`equations`): the rate is then a smooth function of the state however near a singular pose is.
+//! If every chart of a mechanism is poor, the constraints alone determine how it moves. It goes on in absolute coordinates, with every
+//! state projected onto the constraints before its rate is computed, in double-double numbers (`equations`): the rate is then a smooth
+//! function of the state however near a singular pose is.
 //!
-//! How near that is, is told by the smallest pivot of `phi_q M^-1 phi_q^T`. Along the motion it is `c + k (s - s0)^2`
-//! (`distance`):
+//! The distance to it follows from the smallest pivot of `phi_q M^-1 phi_q^T`. Along the motion that is `c + k (s - s0)^2` (`distance`):
 //!
 //! * Away from zero, the pose is passed by: steps follow the turn, which takes place over a length of `sqrt(c / k)`.
 //! * Where `c` vanishes, the rank of `phi_q` does too (A. Mueller, Higher derivatives of the kinematic mapping and some
 //!   applications, Mech. Mach. Theory 76, 2014, on the branches that meet there). The motion through it is analytic; a step by
 //!   collocation leads over the pose, with nodes on both sides of it (`crossing`).
 //!
-//! Whether `c` vanishes is a matter of lengths (`critical`): the singular pose is the critical point of a combination of constraints, and
-//! its value there the difference of lengths by which it is missed. Within their rounding the joints are closed to the pose
-//! (`meeting`); else it is passed by. Where a row prescribes a motion that value changes with the time, and where it comes to zero the
-//! motion ends (`lock`). Where no such pose is found, the gap that the polynomial of a step over it leaves in the joints decides.
+//! The lengths decide if `c` vanishes (`critical`): the singular pose is the critical point of a combination of constraints, and its value
+//! there the difference of lengths by which it is missed. Within their rounding the joints are closed to the pose (`meeting`); else it is
+//! passed by. If a row prescribes a motion, that value changes with the time, and at its zero the motion ends (`lock`). If no such pose is
+//! found, the gap that the polynomial of a step over it leaves in the joints decides.
 
 mod collocation;
 mod combined;
@@ -80,13 +79,13 @@ pub trait ExtendedPrecision<const NQ: usize, const NC: usize, const NX: usize>:
     /// The length of a step as a part of the turn next to a flat pose, [`charts::crossed`](crate::charts::crossed).
     fn crossed(step: &Step<'_, Self>) -> Self::S;
 
-    /// Is the mechanism held without a chart?
+    /// True if the mechanism is without a chart.
     fn is_near(held: &Self::U) -> bool;
 
     /// The state in absolute coordinates.
     fn full(&self, t: Self::S, held: &Self::U, x: &Self::X) -> [Self::S; NX];
 
-    /// Holds a state in absolute coordinates.
+    /// Stores a state in absolute coordinates, without a chart.
     fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[Self::S; NX]);
 
     /// The part that closes the loop which is nearest to flat at a state in absolute coordinates.

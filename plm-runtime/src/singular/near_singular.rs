@@ -41,11 +41,11 @@ pub struct NearSingular<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const
     undecided: u32,
     /// By how much joints would have opened in the last step over the pose ahead that was tried.
     opens: M::S,
-    /// What joints are open by in the last step, so that the mechanism comes to the singular pose.
+    /// Gaps of the joints in the last step, with which the mechanism reaches the singular pose.
     open: [DoubleDouble<M::S>; NC],
 }
 
-/// How much of a box a step crosses next to a flat pose: of a tenth of the turn there.
+/// How much of an interval about a coordinate a step crosses next to a flat pose: of a tenth of the turn there.
 #[inline]
 fn crossed<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>(
     step: &Step<'_, M>,
@@ -70,7 +70,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
     ) -> Result<(), Fault> {
         let equations = &here.equations;
         self.around.longest_step = longest;
-        // What a state is rounded by turns the motion by as many radians as it is parts of the turn's length.
+        // The rounding error of a state turns the motion by as many radians as it is parts of the turn's length.
         self.around.rtol = self.tolerance.max(M::S::EPSILON / scale);
         let (held, time, end) = (context.held, context.time, context.end);
         let told = (&mut *context.stats, &mut *context.longest_step);
@@ -139,7 +139,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
         (singularity, distance): (&SingularityDistance<M::S>, M::S),
     ) -> Result<(), Refused<M::S>> {
         let flat = singularity.time_to(distance);
-        // At the pose itself, as near as time can tell, and beside it, distances from it are what is known best.
+        // At the pose itself, to the resolution of the time, and next to it, the best known distances are those from it.
         let at = flat < BARELY.of::<M::S>() * M::S::EPSILON * context.time.abs();
         let spans = SPANS.all().into_iter().filter(|_| !at).map(|span| M::S::lit(span) * distance);
         let away = AWAY.all().into_iter().map(M::S::lit).filter(|_| distance < AT_POSE.of::<M::S>());
@@ -157,7 +157,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
         self.step_over(context, here, (times, None)).map_err(|refused| self.fault(context, here, refused))
     }
 
-    /// What ends a run at a singular pose.
+    /// The fault that ends a run at a singular pose.
     fn fault(&self, context: &Context<'_, M>, here: &Here<M, NQ, NC, NX>, refused: Refused<M::S>) -> Fault {
         let (q, _) = split::<_, NX, NQ>(&here.full);
         if let Some(fault) = disagreement(context.system, context.time, &q) {

@@ -1,4 +1,4 @@
-//! Contact of a mechanism that is switched: none, or so many rows.
+//! Contact part of a switched mechanism: without contact, or with a number of rows.
 
 use super::Switched;
 use crate::contact::{self, Change, Contacts, Modal, Solution, Status, Stride};
@@ -6,9 +6,10 @@ use crate::enclosure::Enclosed;
 use crate::fault::Fault;
 use crate::system::Rate;
 
-/// The part of [`Events`](crate::Events) that belongs to contact; by default that of a mechanism without any.
+/// Part of [`Events`](crate::Events) that belongs to contact; the defaults are those of a mechanism without
+/// contact.
 pub trait ContactPart<M: Switched> {
-    /// Has a mechanism of this type rows of contact?
+    /// True if mechanisms of this type have contact rows.
     const ARE_THERE: bool = false;
 
     /// Gives each guard of contact with its number.
@@ -17,7 +18,8 @@ pub trait ContactPart<M: Switched> {
         let _ = (system, t, u, x, each);
     }
 
-    /// Gives each guard of contact over an interval with its number; false if enclosures do not exist.
+    /// Gives each guard of contact over an interval with its number. Returns false if there are no
+    /// enclosures.
     #[inline]
     fn guards_within(
         system: &M,
@@ -43,10 +45,10 @@ pub trait ContactPart<M: Switched> {
         false
     }
 
-    /// Changes sides of conditions, and looks at the rows that begin to exist by them.
+    /// Changes sides of conditions, and checks the rows that begin to exist by them.
     ///
     /// # Errors
-    /// A row begins to exist beyond its bound.
+    /// If a row begins to exist with a negative gap, or open as a constraint.
     #[inline]
     fn change_sides(
         system: &M,
@@ -59,10 +61,10 @@ pub trait ContactPart<M: Switched> {
         Ok(())
     }
 
-    /// The next modes, as the guard of this number has passed zero within a step of this length.
+    /// Finds the next modes after the guard of this number has passed zero within a step of this length.
     ///
     /// # Errors
-    /// No modes apply.
+    /// If no modes apply.
     #[inline]
     fn switch_after(
         system: &M,
@@ -74,10 +76,10 @@ pub trait ContactPart<M: Switched> {
         Ok(())
     }
 
-    /// The next modes after another event within a step of this length.
+    /// Finds the next modes after another event within a step of this length.
     ///
     /// # Errors
-    /// No modes apply.
+    /// If no modes apply.
     #[inline]
     fn update_after(system: &M, t: M::S, at: (&mut M::U, &mut M::X), step: M::S) -> Result<(), Fault> {
         let _ = (system, t, at, step);
@@ -87,7 +89,7 @@ pub trait ContactPart<M: Switched> {
     /// As [`Events::state_was_set`](crate::Events::state_was_set).
     ///
     /// # Errors
-    /// No modes apply.
+    /// If no modes apply.
     #[inline]
     fn state_was_set(system: &M, t: M::S, at: (&mut M::U, &mut M::X)) -> Result<(), Fault> {
         let _ = (system, t, at);
@@ -101,7 +103,7 @@ pub trait ContactPart<M: Switched> {
         Status::default()
     }
 
-    /// Decides when modes change.
+    /// Sets the times at which modes change.
     #[inline]
     fn set_change(u: &mut M::U, change: Change) {
         let _ = (u, change);
@@ -121,11 +123,11 @@ pub trait ContactPart<M: Switched> {
     }
 }
 
-/// Without contact.
+/// Mechanisms without contact.
 #[derive(Clone, Copy, Debug)]
 pub struct NoContact;
 
-/// With contact of so many places for rows.
+/// Mechanisms with contact, and room for `N` rows.
 #[derive(Clone, Copy, Debug)]
 pub struct WithContact<const N: usize>;
 

@@ -1,4 +1,4 @@
-//! `Events` of whatever is switched.
+//! [`Events`] of every [`Switched`] mechanism.
 
 use super::{ContactPart, Switched};
 use crate::absolute::{self, Absolute, Crossing};
@@ -185,9 +185,9 @@ impl<M: Switched> Events for M {
         stride: &contact::Stride<M::S>,
         u: &mut M::U,
         x: &mut M::X,
-        behind: impl FnOnce(&mut M::U, &mut M::X, &contact::Solution<M::S>) -> Result<(), Fault>,
+        after: impl FnOnce(&mut M::U, &mut M::X, &contact::Solution<M::S>) -> Result<(), Fault>,
     ) -> Result<contact::Solution<M::S>, Fault> {
-        M::Contact::stride::<EVALUATIONS>(self, stride, (u, x), behind)
+        M::Contact::stride::<EVALUATIONS>(self, stride, (u, x), after)
     }
 
     #[inline]
@@ -213,7 +213,8 @@ pub fn take_sides_at_time<M: Switched>(system: &M, t: M::S, u: &mut M::U) {
     });
 }
 
-/// A jump of rows, by how they differ on both sides of their conditions: phi, its rate, the rate of that; the distance, its rate.
+/// Jump of rows of constraints that differ between the sides of their conditions. `terms` has five numbers for each: the
+/// differences of phi, of its rate and of the rate of that; the distance from the boundary, and its rate.
 pub fn jump<M, const NQ: usize, const NC: usize>(
     system: &M,
     t: M::S,

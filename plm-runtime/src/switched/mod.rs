@@ -1,8 +1,8 @@
-//! Events of a mechanism by its tables and routines.
+//! Events of a mechanism from tables and routines.
 //!
-//! A mechanism has tables of its conditions ([`Switches`]), and routines that whoever made it evaluates: rustc's functions, an
-//! interpreter, machine code. How conditions change sides, how contact follows, and where times are known is the same for all of them: a
-//! mechanism that is [`Switched`] has [`Events`](crate::Events).
+//! A mechanism has tables of its conditions ([`Switches`]), and routines that are evaluated by compiled code, an interpreter or machine
+//! code. Changes of sides, contact and times of events are common to all of them: a mechanism that is [`Switched`] has
+//! [`Events`](crate::Events).
 
 mod contact;
 mod events;
@@ -18,16 +18,16 @@ use crate::scalar::Real;
 use crate::system::Rate;
 use crate::vector::Vector;
 
-/// A mechanism with conditions and contact by tables and routines.
+/// A mechanism with conditions and contact, from tables and routines.
 pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> + Sized {
-    /// A number for each guard, of conditions and of contact after them.
+    /// A number for each guard: those of conditions, then those of contact.
     type Guards: Vector<Self::S> + AsMut<[Self::S]> + AsRef<[Self::S]>;
     /// Its contact: [`NoContact`], or [`WithContact`].
     type Contact: ContactPart<Self>;
-    /// The tables of a mechanism of this type; of one that has its size from a program the most that there is room for.
+    /// Tables of a mechanism of this type; for a mechanism that has its size from a program, the largest sizes that there is room for.
     const SWITCHES: Switches;
 
-    /// The tables.
+    /// Tables of this mechanism.
     #[inline]
     fn switches(&self) -> &'static Switches {
         const { &Self::SWITCHES }
@@ -40,7 +40,8 @@ pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> + Sized {
         see(&[])
     }
 
-    /// Gives each of them over an interval with its number; false where that is not known, so that all are looked for by samples.
+    /// Gives each guard and kink over an interval with its number. Returns false if there are no enclosures; all of them are then
+    /// searched by samples.
     #[inline]
     fn watch_within(
         &self,
@@ -53,17 +54,17 @@ pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> + Sized {
         self.switches().guards + self.switches().kinks == 0
     }
 
-    /// Gives `see` the times at which conditions on the time alone change, s, and the slopes of what they compare.
+    /// Gives `see` the times at which conditions on the time alone change, s, and the slopes of the compared values.
     #[inline]
     fn known_times<T>(&self, u: &Self::U, see: impl FnOnce(&[Self::S], &[Self::S]) -> T) -> T {
         let _ = u;
         see(&[], &[])
     }
 
-    /// Changes of sides or modes, and the events that follow them.
+    /// Makes changes of sides or modes, and commits the events that follow them.
     ///
     /// # Errors
-    /// Those of `changes`; events that follow each other without end.
+    /// Those of `changes`; a fault if events follow each other without end.
     #[inline]
     fn change(
         &self,
@@ -76,45 +77,45 @@ pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> + Sized {
         changes(u, x)
     }
 
-    /// A jump of rows that have another form on each side of a condition ([`Events::jump`](crate::Events::jump)).
+    /// Jump of rows that have another form on each side of a condition ([`Events::jump`](crate::Events::jump)).
     fn jump_of_rows(&self, t: Self::S, u: &Self::U, x: &Self::X, after: Option<&Self::U>) -> Option<Fault> {
         let _ = (t, u, x, after);
         None
     }
 
-    /// Is this condition a requirement?
+    /// True if this condition is a requirement.
     #[inline]
     fn is_required(&self, index: usize) -> bool {
         let _ = index;
         false
     }
 
-    /// Why a run ends where this guard passes zero, if it does.
+    /// Cause by which a run ends if this guard passes zero; `None` if it continues.
     #[inline]
     fn end_at(&self, index: usize) -> Option<Cause> {
         let _ = index;
         None
     }
 
-    /// Has it rows of contact?
+    /// True if the mechanism has contact rows.
     #[inline]
     fn has_contact(&self) -> bool {
         Self::Contact::ARE_THERE
     }
 
-    /// May rows of contact begin to exist?
+    /// True if contact rows may begin to exist.
     #[inline]
     fn may_appear(&self) -> bool {
         false
     }
 
-    /// The place of a guard of contact among all guards; none of a row that there is only room for.
+    /// Index of a guard of contact among all guards; `None` for a row that there is only room for.
     #[inline]
     fn place_of_guard(&self, number: usize) -> Option<usize> {
         Some(self.switches().guards + number)
     }
 
-    /// The number of the guard of contact that stands in this place after those of conditions.
+    /// Number of the guard of contact with this index after those of conditions.
     #[inline]
     fn number_of_guard(&self, place: usize) -> Option<usize> {
         Some(place)

@@ -7,13 +7,14 @@ pub struct Switches {
     pub guards: usize,
     /// Number of kinks.
     pub kinks: usize,
-    /// Number of conditions of the time alone; their sides stand after those of the state.
+    /// Number of conditions of the time alone; their sides come after those of the state.
     pub times: usize,
-    /// Conditions and kinks matter only while others have a certain side.
+    /// True if conditions and kinks matter only while others have a certain side.
     pub selective: bool,
-    /// By condition and kink the decision that it begins with.
+    /// First decision of each condition and kink.
     pub roots: &'static [u16],
-    /// Decisions: the condition that is asked, and the next ones by its side. 0 says no, 1 yes.
+    /// Decisions: the condition that is read, and the next decision for each of its sides. Decision 0 is no,
+    /// 1 is yes.
     pub nodes: &'static [(u8, u16, u16)],
     /// Rows of constraints that have another form on each side of a condition: the row, the condition.
     pub jumps: &'static [(usize, usize)],
@@ -21,7 +22,7 @@ pub struct Switches {
     pub rows: usize,
     /// Number of guards of contact.
     pub contact_guards: usize,
-    /// The size of a reaction in the plane bounds a friction.
+    /// True if the size of a reaction in the plane bounds a friction.
     pub bends: bool,
 }
 

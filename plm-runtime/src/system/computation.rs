@@ -1,4 +1,4 @@
-//! What methods compute of a system from a state.
+//! Quantities that methods compute of a system from a state.
 
 use core::fmt::Debug;
 

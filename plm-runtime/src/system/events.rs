@@ -26,9 +26,9 @@ pub trait Events: Rate {
         let _ = (t, u, x, g);
     }
 
-    /// Commits the event of the condition `index`, whose guard has passed zero: `u` gets the mode that applies from now on, of two or
-    /// more, in which that guard is not negative. The event may reset the state `x`, velocities too; whoever does so brings up to date
-    /// what `u` remembers of it.
+    /// Commits the event of the condition `index`, whose guard has passed zero: `u` gets the mode that applies from now on, of two or more,
+    /// in which that guard is not negative. The event may reset the state `x`, velocities too; it then also updates the data of `u` that
+    /// depends on the state.
     ///
     /// # Errors
     /// When no mode applies: the run ends, and the state is that before the event.
@@ -133,7 +133,7 @@ pub trait Events: Rate {
         false
     }
 
-    /// Some conditions or kinks matter only while others have a certain side, as [`matters`](Self::matters) tells; of 64 sides at
+    /// True if some conditions or kinks matter only while others have a certain side, as [`matters`](Self::matters) reports; of 64 sides at
     /// most.
     const SELECTIVE: bool = false;
 
@@ -169,7 +169,7 @@ pub trait Events: Rate {
         Self::BENDS
     }
 
-    /// What the contact rows do.
+    /// Status of the contact rows.
     fn contacts(u: &Self::U) -> contact::Status<'_> {
         let _ = u;
         contact::Status::default()
@@ -190,17 +190,17 @@ pub trait Events: Rate {
         stride: &contact::Stride<Self::S>,
         u: &mut Self::U,
         x: &mut Self::X,
-        behind: impl FnOnce(&mut Self::U, &mut Self::X, &contact::Solution<Self::S>) -> Result<(), Fault>,
+        after: impl FnOnce(&mut Self::U, &mut Self::X, &contact::Solution<Self::S>) -> Result<(), Fault>,
     ) -> Result<contact::Solution<Self::S>, Fault>
     where
         Self: Sized,
         Self::S: Real,
     {
-        contact::smooth_stride::<Self, EVALUATIONS>(self, stride, (u, x), behind)
+        contact::smooth_stride::<Self, EVALUATIONS>(self, stride, (u, x), after)
     }
 
-    /// Brings up to date what the discrete state says of the state, which may have been set from outside: rows of contact that hold may
-    /// have been moved away.
+    /// Updates those parts of the discrete state that depend on the state, which the caller may have set: contact rows in force may have
+    /// been moved away.
     ///
     /// # Errors
     /// As [`switch`](Self::switch).

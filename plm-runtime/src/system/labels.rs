@@ -2,7 +2,7 @@
 
 use crate::system::Rate;
 
-/// Names of states and conditions, by which faults and notices tell them. Without names they tell numbers and times alone.
+/// Names of states and conditions in faults and notices. Without names these report numbers and times alone.
 pub trait Labels: Rate {
     /// The part that the state with this index belongs to.
     fn part_of_state(&self, index: usize) -> &'static str {

@@ -24,12 +24,12 @@ pub trait System: Constraints + Events + Labels {}
 
 impl<M: Constraints + Events + Labels> System for M {}
 
-/// A step that was made, as those see it that look at steps.
+/// An accepted step, as its observers see it.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<'a, M: System> {
     /// The equations.
     pub system: &'a M,
-    /// What was held over it.
+    /// The discrete state over it.
     pub held: &'a M::U,
     /// Time, s, and state where it began.
     pub from: (M::S, &'a M::X),
@@ -42,9 +42,9 @@ pub struct Step<'a, M: System> {
 /// Outcome of [`Constraints::update`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Updated {
-    /// The state was mapped to another chart: rates that were kept belong to the old one.
+    /// The state was mapped to another chart: stored rates belong to the old one.
     pub moved: bool,
-    /// Angles were brought back by whole turns: what was kept of the state belongs to the old ones.
+    /// Angles were reduced by whole revolutions: stored values of the state belong to the old angles.
     pub turned: bool,
     /// A singular pose was passed, where the mechanism could have gone on in another way: the part that closes its loop.
     pub passed: Option<&'static str>,
@@ -76,7 +76,7 @@ impl<S: Scalar> Health<S> {
     }
 }
 
-/// What a mechanism stores and what flows in.
+/// Stored energy of a mechanism, and the power that flows in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy<S> {
     /// Kinetic energy, J.

@@ -11,16 +11,16 @@ pub trait Question<S: Real> {
     /// The answer.
     type Answer;
 
-    /// Asks a system with what is held over a step.
+    /// Asks a system with its discrete state.
     fn of<N: System<S: Real<Plain = S::Plain>>>(self, system: &N, held: &N::U) -> Self::Answer;
 }
 
-/// The same number in numbers of another kind, without derivatives.
+/// Converts a number to another type, without derivatives.
 pub(crate) fn value<S: Real, T: Real<Plain = S::Plain>>(number: S) -> T {
     T::of_plain(number.plain())
 }
 
-/// The same of a vector that is as long.
+/// Converts a vector to one of equal length of another type, without derivatives.
 pub(crate) fn values<S: Real, T: Real<Plain = S::Plain>, X: Vector<S>, Y: Vector<T>>(x: &X) -> Y {
     Y::from_fn(|i| value(x.at(i)))
 }

@@ -1,27 +1,27 @@
-//! Bounds of work. None is a tolerance: what needs more of it is given up, or made shorter.
+//! Bounds of work. None is a tolerance: a computation that needs more work is given up or made shorter.
 
-/// Poses to each side of a state that are compared until they lie within the parabola's own scale; each is half of that scale away, so
-/// that a scale of `2^-12` of the first distance is reached.
+/// Times that the two poses beside a state, through which a parabola is drawn, are moved nearer until they lie within the parabola's
+/// own scale. Each new distance is half of the scale found, so that a scale of `2^-12` of the first distance is reached.
 pub(crate) const REFINEMENTS: usize = 12;
-/// Newton steps to a singular pose: from half a radian away quadratic convergence takes six, linear convergence by halves the rest.
+/// Newton steps to a singular pose: from half a radian away quadratic convergence takes six, linear convergence by halves the others.
 pub(crate) const CRITICAL_STEPS: usize = 16;
 /// Iterations for the nodes of a collocation step; each gains at least a digit of sixteen where the step is short enough.
 pub(crate) const COLLOCATION_STEPS: usize = 40;
-/// Newton steps in the time towards the moment where a prescribed motion ends: by halves, all digits of a number.
+/// Newton steps in time towards the moment at which a prescribed motion ends: by halves, all digits of a number.
 pub(crate) const LOCK_STEPS: usize = 40;
-/// Newton steps from a stage of a step onto the constraints: numbers of twice the precision have 32 digits, which are gained by
-/// doubling, and near a singular pose by halves at first.
+/// Newton steps from a stage of a step onto the constraints: numbers of twice the precision have 32 digits; each step doubles the
+/// correct ones, and near a singular pose halves the distance at first.
 pub(crate) const CLOSING_STEPS: usize = 16;
-/// Newton steps from a pose to one nearby, where nothing singles a pose out.
+/// Newton steps from a pose to a nearby one that closes the joints and is not singular.
 pub(crate) const NEIGHBOUR_STEPS: u32 = 16;
-/// A step's pivots are compared at least in so many places, ...
+/// Least number of places in a step at which pivots are compared.
 pub(crate) const LOOKS: usize = 4;
-/// ... and at most in so many.
+/// Largest number of these places.
 pub(crate) const MOST_LOOKS: usize = 64;
-/// A low pivot between them is followed down by so many parabolas.
+/// Parabolas by which a low pivot between these places is followed to its minimum.
 pub(crate) const DESCENTS: usize = 8;
-/// A step is split into at most so many parts; what is still too long is split again.
+/// Most parts into which a step is split; a part that is still too long is split again.
 pub(crate) const MOST_PARTS: f64 = 64.0;
-/// Where rounding would decide, a crossing is tried so often from nearer to the pose: a kink within a longer one, or too few nodes,
-/// open the joints too.
+/// Trials of a crossing, each from nearer to the pose, if rounding would decide it: a kink within a longer crossing, or too few nodes,
+/// open the joints as well.
 pub(crate) const TRIALS: u32 = 4;

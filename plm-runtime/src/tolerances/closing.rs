@@ -1,25 +1,25 @@
-//! When joints are closed, and when lengths that repeat each other disagree.
+//! Tolerances for closed joints, and for lengths that repeat each other and disagree.
 
 use crate::scalar::Real;
 
 super::tolerances! {
-    /// Units in the last place of numbers of twice the precision, of the mechanism's size. A pose is closed to it: 1e-28 of the size, less
-    /// than the twelfth digit of what lengths are rounded by.
+    /// Units in the last place of numbers of twice the precision, of the mechanism's size. A pose is closed up to it: 1e-28 of the size,
+    /// less than the twelfth digit of the rounding of lengths.
     CLOSED_EXACTLY: f64 = 1e4;
-    /// A part of the mechanism's length. Lengths that repeat each other may leave gaps of it:
+    /// A part of the mechanism's length. Lengths that repeat each other may leave gaps up to it:
     /// [`Scalar::AGREEMENT`](crate::Scalar::AGREEMENT) of `f64`.
     DISAGREEMENT: f64 = 1e-9;
-    /// A ratio of singular values. Rows whose combination has less depend on each other while the mechanism moves: stages are off the
+    /// A ratio of singular values. Rows with a combination below it depend on each other while the mechanism moves: stages are off the
     /// constraints by the square of a step, and dividing that by less would throw the mechanism onto another branch.
     DEPENDENT: f64 = 1e-4;
-    /// Units in the last place of the size. What stays open for want of agreement is more, ...
+    /// Units in the last place of the size. A gap of lengths that disagree is larger, ...
     OPEN_BY_ROUNDING: f64 = 64.0;
-    /// ... and less than this part of the length: what is open wider repeats nothing.
+    /// ... and smaller than this part of the length: a larger gap does not come from lengths that repeat each other.
     REPEATS: f64 = 1e-5;
     /// A part of the mechanism's size (and speed). Joints count as closed up to it, ...
     CLOSED: f64 = 1e-10;
-    /// ... or up to so many units in the last place, where numbers have fewer digits: the rounding of a residual, which is a sum of
-    /// about eight products.
+    /// ... or up to so many units in the last place for numbers with fewer digits: the rounding of a residual, which is a sum of about
+    /// eight products.
     CLOSED_ROUNDED: f64 = 16.0;
 }
 

@@ -1,8 +1,8 @@
-//! The tolerances of charts and of the near-singular method: what each is measured in, and from what it follows.
+//! Tolerances of charts and of the near-singular method, with the unit of each and its derivation.
 //!
-//! The book's chapter on near-singular poses (`docs/src/theory/near-singular.md`) tells what becomes of a sweep where one is tenfold
-//! or a tenth. With the feature `vary-tolerances`, which only that sweep has, each number is multiplied by a factor that
-//! `set_factor` or the environment gives; without it each is the constant that stands here.
+//! The book's chapter on near-singular poses (`docs/src/theory/near-singular.md`) shows the effect of each tolerance on a sweep if it
+//! is tenfold or a tenth. With the feature `vary-tolerances`, which only that sweep enables, each number is multiplied by a factor
+//! from `set_factor` or the environment; without it each is the constant in this folder.
 //!
 //! Units: rad; m; a pivot ratio (the smallest pivot of `phi_q W phi_q^T` over its diagonal entry, about the square of the sine of the
 //! angle that a loop is away from flat); a measure (that sine itself); units in the last place (of 1: the number's `EPSILON`).
@@ -23,16 +23,16 @@ pub use self::vary::{names, set_factor};
 
 use crate::scalar::{Real, Scalar};
 
-/// A tolerance: a number, or several.
+/// A tolerance: one number, or several.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tolerance<V = f64> {
     value: V,
-    /// Where the factor of it is held.
+    /// Access to the factor of the tolerance.
     #[cfg(feature = "vary-tolerances")]
     factor: fn() -> &'static vary::Factor,
 }
 
-/// A number for `f64`, and one for `f32`.
+/// One number for `f64`, another one for `f32`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ByPrecision {
     double: f64,
@@ -90,7 +90,7 @@ impl Tolerance<ByPrecision> {
     }
 }
 
-/// Has the type the precision of `f64`, or more?
+/// True if the type has the precision of `f64` or more.
 #[inline]
 pub(crate) fn is_double<S: Real>() -> bool {
     S::EPSILON < S::lit(1e-12)
@@ -117,7 +117,7 @@ macro_rules! tolerances {
             $(pub(super) static $name: super::vary::Factor = super::vary::Factor::new(stringify!($name));)*
         }
 
-        /// All of this file.
+        /// Factors of all tolerances of this file.
         #[cfg(feature = "vary-tolerances")]
         pub(super) const FACTORS: &[fn() -> &'static vary::Factor] = &[$(|| &factors::$name),*];
     };

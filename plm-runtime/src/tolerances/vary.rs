@@ -1,4 +1,4 @@
-//! A factor for each tolerance, for sweeps that ask what becomes of results.
+//! Factors of tolerances, for sweeps that show their effect on results.
 
 extern crate std;
 
@@ -6,11 +6,11 @@ use core::sync::atomic::{AtomicU64, Ordering};
 
 use super::{charts, closing, singular};
 
-/// What a tolerance is multiplied by.
+/// Factor of a tolerance.
 #[derive(Debug)]
 pub(crate) struct Factor {
     name: &'static str,
-    /// The bits of the factor; 0 before it was asked for.
+    /// Bits of the factor; 0 before its first use.
     bits: AtomicU64,
 }
 
@@ -19,7 +19,7 @@ impl Factor {
         Self { name, bits: AtomicU64::new(0) }
     }
 
-    /// The factor; at first that of the environment.
+    /// The factor; at first use that of the environment.
     pub(super) fn get(&self) -> f64 {
         let bits = self.bits.load(Ordering::Relaxed);
         if bits != 0 {
@@ -31,7 +31,7 @@ impl Factor {
     }
 }
 
-/// The factor of a tolerance that `PLM_VARY=NAME=FACTOR` gives.
+/// The factor of a tolerance according to `PLM_VARY=NAME=FACTOR`.
 fn from_environment(name: &str) -> Option<f64> {
     let given = std::env::var("PLM_VARY").ok()?;
     let (named, factor) = given.split_once('=')?;
@@ -47,7 +47,8 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     all().map(|factor| factor.name)
 }
 
-/// Multiplies a tolerance by a factor, in all runs of the process; whether there is one of that name.
+/// Multiplies a tolerance by a factor, in all runs of the process. Returns false if no tolerance has that
+/// name.
 pub fn set_factor(name: &str, factor: f64) -> bool {
     let found = all().find(|of| of.name == name);
     if let Some(of) = found {

@@ -40,7 +40,7 @@ pub struct Trace<'t, S = f64> {
     variables: u64,
     /// The place of the next term.
     next: Cell<u64>,
-    /// What is recorded: terms of these places, from this index of the memory on.
+    /// Range of places whose terms are recorded, with their index in the memory.
     window: Cell<Window>,
 }
 

@@ -44,7 +44,7 @@ impl<'t, S: Real> Traced<'t, S> {
         self.trace
     }
 
-    /// The same dependence with another value.
+    /// A number with this dependence and another value.
     #[inline]
     pub(super) fn with_value(self, value: S) -> Self {
         Self { value, ..self }

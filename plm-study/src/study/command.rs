@@ -13,7 +13,7 @@ use super::shard::check_threads;
 use super::submit::{Engine, Submission};
 use super::{Gathered, Problem, Ran, Shard, Study};
 
-/// The options in words.
+/// Help on the options.
 const HELP: &str = "\
                   (nothing) runs all points, on all cores
 --shard K/N       runs shard K of N; what its log has is not run again
@@ -28,7 +28,7 @@ const HELP: &str = "\
 -- WORDS          with --submit slurm: more options of sbatch
 --help            these lines";
 
-/// What is asked for.
+/// Parsed command line.
 #[derive(Default)]
 #[allow(clippy::struct_excessive_bools, reason = "each is an option of the command line")]
 struct Request {
@@ -94,8 +94,7 @@ where
     F: Fn([f64; P]) -> Result<[f64; C], E> + Sync,
     E: fmt::Display,
 {
-    /// Does what the command line says, and tells what came of it. Points that fail are part of a result, and no failure of the
-    /// program.
+    /// Runs by the command line, and prints the result. Points that fail are part of a result, and no failure of the program.
     pub fn main(&self) -> ExitCode {
         match self.with(env::args_os().skip(1)) {
             Ok(told) => {
@@ -109,11 +108,11 @@ where
         }
     }
 
-    /// Does what the words of a command line say, and gives what is to be told.
+    /// Runs by the arguments of a command line, and returns the text to be printed.
     ///
     /// # Errors
-    /// A word that is no option or has no meaning there; a log or a table that cannot be read or written; missing points where a
-    /// table is asked for; an engine that does not take the shards.
+    /// An argument that is no option or has no meaning there; a log or a table that cannot be read or written; missing points for a table;
+    /// an engine that does not take the shards.
     pub fn with<W: Into<OsString>>(
         &self,
         words: impl IntoIterator<Item = W>,
@@ -159,7 +158,7 @@ where
     }
 }
 
-/// What the run of a shard did, in words.
+/// Text that reports the run of a shard.
 fn told(shard: Shard, ran: &Ran, folder: &Path) -> String {
     let Ran { kept, computed, failed, notes } = ran;
     let mut text = String::new();

@@ -1,4 +1,4 @@
-//! What the logs of a folder hold together.
+//! Contents of all logs of a folder.
 
 use std::fmt;
 use std::fs::{File, TryLockError};
@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use super::log::logs;
 use super::{Plan, Problem, Shard};
 
-/// A row, or the words of what failed.
+/// A row, or the message of a failure.
 pub type Outcome<const C: usize> = Result<[f64; C], Box<str>>;
 
-/// All points of a study that are done, in their order. `Display` tells how far it is, shard by shard, and points that failed.
+/// All finished points of a study, in their order. `Display` reports the progress, shard by shard, and points that failed.
 #[derive(Clone, Debug)]
 pub struct Gathered<const P: usize, const C: usize> {
     pub(super) plan: Plan<P, C>,
@@ -30,7 +30,7 @@ struct Progress {
     runs: bool,
 }
 
-/// So many points that failed are told with their words.
+/// Number of failed points that are listed with their messages.
 const TOLD: usize = 10;
 
 impl<const P: usize, const C: usize> Gathered<P, C> {
@@ -70,7 +70,7 @@ impl<const P: usize, const C: usize> Gathered<P, C> {
         })
     }
 
-    /// What came of a point; nothing yet where it is missing.
+    /// Outcome of a point; `None` if it is missing.
     pub fn outcome(&self, index: usize) -> Option<&Outcome<C>> {
         self.outcomes.get(index)?.as_ref()
     }
@@ -80,12 +80,12 @@ impl<const P: usize, const C: usize> Gathered<P, C> {
         self.outcomes.iter().enumerate().filter(|(_, outcome)| outcome.is_none()).map(|(index, _)| index)
     }
 
-    /// The numbers of the points that failed, and the words.
+    /// The numbers of the points that failed, and the messages.
     pub fn failed(&self) -> impl Iterator<Item = (usize, &str)> {
         self.done().filter_map(|(index, outcome)| Some((index, outcome.as_ref().err()?.as_ref())))
     }
 
-    /// What was wrong with logs, a line each.
+    /// Defects of logs, a line each.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
@@ -132,7 +132,7 @@ impl<const P: usize, const C: usize> fmt::Display for Gathered<P, C> {
     }
 }
 
-/// The same to the bit? A number that is none is not equal to itself.
+/// True if two outcomes are equal to the bit. NaN is not equal to itself, so that bits are compared.
 fn is_same<const C: usize>(a: &Outcome<C>, b: &Outcome<C>) -> bool {
     match (a, b) {
         (Ok(a), Ok(b)) => a.map(f64::to_bits) == b.map(f64::to_bits),

@@ -18,13 +18,13 @@ pub(super) fn checksum(bytes: &[u8]) -> u64 {
         .fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
-/// What a record holds: a row, or a piece of a text with so many pieces after it, marked where it is the first.
+/// Tag of a record: a row, or a piece of a text with so many pieces after it, marked if it is the first.
 const ROW: u64 = u64::MAX;
 const FIRST: u64 = 1 << 32;
 /// A number in a file.
 const WORD: usize = 8;
 
-/// Bytes that a record has for what it holds.
+/// Bytes of the contents of a record.
 const fn room(columns: usize) -> usize {
     WORD * if columns == 0 { 1 } else { columns }
 }
@@ -68,7 +68,7 @@ fn records<const C: usize>(index: usize, outcome: &Outcome<C>) -> Vec<u8> {
     bytes
 }
 
-/// What a log told of itself while it was read.
+/// Results of reading a log, beside its points.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reading {
     /// Bytes up to the end of the last point.
@@ -80,7 +80,7 @@ pub(super) struct Reading {
 }
 
 impl Reading {
-    /// What is wrong with the log, a line each.
+    /// Defects of the log, a line each.
     pub(super) fn notes(&self, path: &Path) -> impl Iterator<Item = String> {
         let damaged = |number| format!("{}: record {number} is damaged and left out", path.display());
         self.damaged.iter().map(damaged).chain(self.unlocked.clone())
@@ -142,7 +142,7 @@ impl<const P: usize, const C: usize> Plan<P, C> {
         self.read(path, &file, take)
     }
 
-    /// Opens the log of a shard to append to it, and reads what is there; what is cut off at its end is taken away.
+    /// Opens the log of a shard to append to it, and reads its points; an incomplete record at its end is removed.
     pub(super) fn open_log(
         &self,
         path: &Path,

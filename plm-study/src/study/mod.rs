@@ -57,7 +57,7 @@ pub struct Study<F, const P: usize, const C: usize> {
     stack: usize,
 }
 
-/// What two processes must have in common to work on the same study.
+/// Properties that two processes must have in common to work on the same study.
 #[derive(Clone, Debug)]
 struct Plan<const P: usize, const C: usize> {
     name: String,
@@ -86,7 +86,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// Why a study does not go on: the words are for its user.
+/// Reason why a study does not go on, as a text for its user.
 ///
 /// Its `Debug` reads like its `Display`, since a `main` that returns it shows that one.
 #[derive(Clone, PartialEq)]
@@ -97,7 +97,7 @@ impl Problem {
         Self(words.into())
     }
 
-    /// What went wrong with a file.
+    /// A problem with a file.
     fn file(path: &Path, error: impl fmt::Display) -> Self {
         Self(format!("{}: {error}", path.display()))
     }
@@ -121,8 +121,8 @@ impl<F, E, const P: usize, const C: usize> Study<F, P, C>
 where
     F: Fn([f64; P]) -> Result<[f64; C], E>,
 {
-    /// A study under this name. `row` makes the columns, (name, unit), of a point, or says why it cannot; it must be a function
-    /// of the point alone. Units are words in the table: values are handed over as they stand.
+    /// A study under this name. `row` computes the columns, (name, unit), of a point, or an error; it must be a function of the point
+    /// alone. Units are labels of the table: values are written without conversion.
     pub fn new(name: &str, points: Points<P>, columns: [(&str, &str); C], row: F) -> Self {
         let columns = columns.map(Quantity::from);
         let plan = Plan { name: name.to_owned(), revision: String::new(), points, columns };
@@ -131,7 +131,7 @@ where
 }
 
 impl<F, const P: usize, const C: usize> Study<F, P, C> {
-    /// With words that change when the row of a point does: how long a run is, the method. Logs of another revision are refused.
+    /// Sets a text that must change whenever the row of a point changes: duration of a run, method. Logs of another revision are refused.
     #[must_use]
     pub fn revision(mut self, words: &str) -> Self {
         words.clone_into(&mut self.plan.revision);
@@ -144,7 +144,7 @@ impl<F, const P: usize, const C: usize> Study<F, P, C> {
         Self { stack: bytes, ..self }
     }
 
-    /// What the logs in a folder hold of it.
+    /// The points of the study in the logs of a folder.
     ///
     /// # Errors
     /// A folder or a log that cannot be read, a log of another study, or two logs that differ about a point.
@@ -155,7 +155,7 @@ impl<F, const P: usize, const C: usize> Study<F, P, C> {
 }
 
 impl<const P: usize, const C: usize> Plan<P, C> {
-    /// All of it in words, at the head of every log. How many points Monte Carlo makes is not part of it: they can become more.
+    /// Text of the whole plan, at the head of every log. The number of Monte Carlo points is not part of it: it may grow.
     fn description(&self) -> String {
         let mut text = format!("plm study log 1\nstudy {}\nrevision {}\n", self.name, self.revision);
         text.push_str(&self.points.description());

@@ -24,7 +24,7 @@ pub enum Spread {
     Uniform {
         /// The smallest.
         from: f64,
-        /// What is not reached any more.
+        /// Upper bound, exclusive.
         to: f64,
     },
     /// The normal distribution.
@@ -90,7 +90,7 @@ impl<const P: usize> Points<P> {
         })
     }
 
-    /// The point in words: `arm 30 deg, forearm 90 deg`.
+    /// Text of a point: `arm 30 deg, forearm 90 deg`.
     pub(super) fn words(&self, index: usize) -> String {
         let values = self.at(index).into_iter().flatten();
         let words = values.zip(&self.quantities).map(|(value, Quantity { name, unit })| {

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 
 use plm_runtime::Scalar;
 
-/// Four words from a counter of four and a key of two.
+/// Four 32-bit words from a counter of four and a key of two.
 fn philox(mut counter: [u32; 4], mut key: [u32; 2]) -> [u32; 4] {
     for _ in 0..10 {
         let [a, b, c, d] = counter;

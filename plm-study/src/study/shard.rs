@@ -97,7 +97,7 @@ impl fmt::Display for Shard {
     }
 }
 
-/// What the run of a shard did.
+/// Counts of the run of a shard.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ran {
     /// Points of the shard that were there before.
@@ -106,7 +106,7 @@ pub struct Ran {
     pub computed: usize,
     /// Those of them that failed.
     pub failed: usize,
-    /// What was wrong with logs, a line each.
+    /// Defects of logs, a line each.
     pub notes: Vec<String>,
 }
 
@@ -115,10 +115,10 @@ where
     F: Fn([f64; P]) -> Result<[f64; C], E> + Sync,
     E: fmt::Display,
 {
-    /// Runs those points of a shard that no log in the folder has, on so many threads (0: one for each core), and appends each to
-    /// the log of the shard as soon as it is done. A point that fails, or panics, is kept with its words; it is not tried again.
+    /// Runs those points of a shard that no log in the folder has, on so many threads (0: one for each core), and appends each to the log
+    /// of the shard as soon as it is done. A point that fails, or panics, is stored with its message; it is not tried again.
     ///
-    /// Of more shards than there are points some have none, which [`Ran::notes`] tell.
+    /// If there are more shards than points, some have none, which [`Ran::notes`] report.
     ///
     /// # Errors
     /// A log that cannot be read or written, is of another study, or is open in another process; more than 1024 threads.

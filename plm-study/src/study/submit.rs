@@ -110,7 +110,7 @@ fn answer(command: &mut Command, line: &str) -> Result<String, Problem> {
     if output.status.success() { Ok(said) } else { Err(Problem::new(said)) }
 }
 
-/// A word for the shell.
+/// An argument, quoted for the shell.
 fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_ascii_alphanumeric() || "/._-%=:,".contains(letter);
     if !word.is_empty() && word.chars().all(plain) {

@@ -8,8 +8,8 @@ use std::path::Path;
 use super::{Gathered, Problem, Quantity};
 
 impl<const P: usize, const C: usize> Gathered<P, C> {
-    /// Writes the points that are there, in their order: as `.csv` with the words of what failed in the last column, or as `.npy`,
-    /// a structured array of NumPy, with a file `.faults.csv` beside it. Columns of a point that failed are empty, or NaN.
+    /// Writes the points that are there, in their order: as `.csv` with the messages of failures in the last column, or as `.npy`, a
+    /// structured array of NumPy, with a file `.faults.csv` beside it. Columns of a point that failed are empty, or NaN.
     ///
     /// # Errors
     /// Another ending, or a file that cannot be written.
@@ -110,12 +110,12 @@ fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
         }
         let mut file = BufWriter::new(File::create(&part)?);
         write(&mut file)?;
-        // Some file systems tell only then that they are full.
+        // Some file systems report only now that they are full.
         file.into_inner()?.sync_all()?;
         fs::rename(&part, path)
     };
     done().map_err(|error| {
-        // The first error is the one to tell.
+        // The first error is reported.
         let _ = fs::remove_file(&part);
         Problem::file(path, error)
     })

@@ -28,7 +28,7 @@ pub enum Limits {
     Turns,
     /// The link swings through the direction of the ground: the angle stays within ± this angle, rad.
     Around(f64),
-    /// The link swings through the opposite direction: from this angle to a turn less it, rad.
+    /// The link swings through the opposite direction: from this angle to a revolution less it, rad.
     Opposite(f64),
     /// One of two ranges, mirror images: from the first to the second angle, or the negative ones, rad.
     Between(f64, f64),

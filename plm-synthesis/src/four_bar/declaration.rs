@@ -18,13 +18,13 @@ pub struct LinkMass {
 pub(crate) struct Body {
     pub(crate) name: &'static str,
     pub(crate) ports: Vec<(&'static str, Point)>,
-    /// Where the frame begins, and its angle.
+    /// Origin of the frame, and its angle.
     pub(crate) place: Point,
     pub(crate) angle: f64,
     pub(crate) mass: Option<LinkMass>,
 }
 
-/// What a linkage has beside its four-bar.
+/// Elements of a linkage beside its four-bar.
 #[derive(Default)]
 pub(crate) struct Beside {
     /// Ports of ground, crank, coupler and rocker.
@@ -69,7 +69,7 @@ impl FourBar {
         Some(self.text(name, &pose, None, Beside::default()))
     }
 
-    /// The same with masses of crank, coupler and rocker, and the forces at the pivots as outputs.
+    /// As [`declaration`](Self::declaration), with masses of crank, coupler and rocker, and the forces at the pivots as outputs.
     pub fn declaration_with_masses(&self, name: &str, angle: f64, masses: &[LinkMass; 3]) -> Option<String> {
         let pose = self.pose(angle)?;
         Some(self.text(name, &pose, Some(masses), Beside::default()))

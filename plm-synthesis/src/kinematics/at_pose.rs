@@ -4,7 +4,7 @@ use plm_runtime::{AsMoment, Moment, Statics, Vector};
 
 use super::Mobility;
 
-/// What of a row is left beside those before it, as a fraction, below which they imply it.
+/// Norm of a row beside those before it, as a fraction of its own, below which they imply it.
 const IMPLIED: f64 = 1e-9;
 
 /// Mobility of a mechanism at a state.

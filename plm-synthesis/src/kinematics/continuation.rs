@@ -89,7 +89,7 @@ impl OnCurve {
         None
     }
 
-    /// Point within a step at which this unknown turns back: its part of the way is zero there.
+    /// Point within a step at which this unknown reverses: its component of the tangent is zero there.
     pub(super) fn turn<C: Curve>(&self, curve: &C, length: f64, unknown: usize) -> Option<Self> {
         let (mut from, mut to) = (0.0, length);
         let sign = self.way[unknown].signum();

@@ -31,7 +31,7 @@ pub struct FiveBarPose {
 pub enum Singularity {
     /// First kind: a crank and its bar are in line, the pin is at the border of its workspace.
     Reach,
-    /// Second kind: the two bars are in line, the pin moves while the cranks are held.
+    /// Second kind: the two bars are in line, the pin moves while the cranks are locked.
     Hold,
     /// Both at once.
     Both,

@@ -177,7 +177,7 @@ impl<T: Moment<M: Statics<State = T, S = f64>>> Curve for Ray<'_, T> {
 /// (Gosselin and Angeles, 1990). Of a workspace that is not seen whole from the point, ask from several places.
 ///
 /// The motion along each way is followed by arc length through `phi(q) = 0`, with the derivatives that the equations give; drives are no
-/// degrees of freedom, so the mechanism has none for its two. Contacts and stops are not looked at.
+/// degrees of freedom, so the mechanism has none for its two. Contacts and stops are ignored.
 ///
 /// # Errors
 /// [`NoReach`].

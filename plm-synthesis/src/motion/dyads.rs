@@ -255,7 +255,7 @@ pub fn circle_point(poses: &[BodyPose], centre: Point) -> Result<Option<Dyad>, N
     require_point(centre)?;
     let centre = vector(centre);
     let row = |d: &Displacement| {
-        // Seen from the body, the ground makes the inverse motion.
+        // Relative to the body, the ground makes the inverse motion.
         let inverse = Displacement { turn: d.turn.conj(), shift: -(d.turn.conj() * d.shift) };
         inverse.centre_row(centre)
     };

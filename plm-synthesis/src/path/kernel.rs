@@ -82,8 +82,8 @@ impl Linkage {
         Some(self.origin + self.ground * (crank * self.lengths[1] + self.coupler_point * coupler))
     }
 
-    /// The same with its derivatives. With the unit vectors e2, e3, e4 of crank, coupler and rocker, the closure
-    /// `r2 e2 + r3 e3 = r1 + r4 e4` gives the derivative of the coupler's angle: its part along e4 has no share of the rocker's angle.
+    /// The coupler point with its derivatives. With the unit vectors e2, e3, e4 of crank, coupler and rocker, the closure `r2 e2 + r3 e3 =
+    /// r1 + r4 e4` gives the derivative of the coupler's angle: its part along e4 has no share of the rocker's angle.
     pub(super) fn differentiated(&self, angle: f64) -> Option<(Vector, Derivatives)> {
         let [e2, e3] = self.directions(angle)?;
         let [r1, r2, r3, r4] = self.lengths;

@@ -15,7 +15,7 @@ pub(crate) use self::start::spread;
 use crate::four_bar::{Defect, FourBar, Point};
 use crate::numbers::first_without;
 
-/// What is known of the crank at the points.
+/// Prescribed angles of the crank at the points.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Timing {
     /// Nothing: the crank has any angle at each point.
@@ -66,7 +66,7 @@ impl Bounds {
 pub struct Path {
     /// Points, m, in the order in which they are passed.
     pub points: Vec<Point>,
-    /// What is known of the crank at the points.
+    /// Prescribed angles of the crank at the points.
     pub timing: Timing,
     /// Bounds of the dimensions.
     pub bounds: Bounds,

@@ -8,7 +8,7 @@ use crate::descent::{self, Outcome};
 use crate::four_bar::{Demands, Image, vector};
 use crate::random::Random;
 
-/// Starts that are polished for each linkage that is kept: many lead to one linkage.
+/// Starts that are polished for each requested linkage: many lead to one linkage.
 pub(crate) const CANDIDATES: usize = 8;
 
 pub(super) fn search(path: &Path, search: &Search) -> Vec<Found> {

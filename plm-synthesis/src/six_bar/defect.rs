@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::{Chain, SixBar, SixBarPose};
 use crate::four_bar::{Defect, Demands, FourBar, Image};
 
-/// Largest step of the crank between two looks at a motion, rad.
+/// Largest step of the crank between two checks of a motion, rad.
 const STEP: f64 = PI / 180.0;
 
 /// Halvings of the bracket of a least angle: to the rounding.
@@ -14,9 +14,9 @@ const HALVINGS: usize = 40;
 impl SixBar {
     /// Defects at angles of the crank from the x-axis, rad, which the crank passes in their order, by way of all angles between.
     ///
-    /// Where a loop opens between two positions, to the accuracy of looks at every degree and at the minima between them, the motion
-    /// stops. What is behind is named as well: a position that the linkage reaches through dead points of its crank lies on another branch
-    /// of the circuit, one that it does not reach on another circuit.
+    /// The motion stops if a loop opens between two positions, to the accuracy of checks at every degree and at the minima between them.
+    /// Positions behind are named as well: a position that the linkage reaches through dead points of its crank lies on another branch of
+    /// the circuit, one that it does not reach on another circuit.
     pub fn defects(&self, angles: &[f64], demands: &Demands) -> Vec<Defect> {
         if self.chain == Chain::StephensonTwo {
             return self.moving_defects(angles, demands);
@@ -34,7 +34,7 @@ impl SixBar {
                 Err(angle) => {
                     defects.push(Defect::Stop { position, angle });
                     let named = Defect::Circuit { position };
-                    // The four-bar alone may have told it.
+                    // The four-bar alone may have reported it.
                     let after = self.pose(pair[1]).filter(|_| !defects.contains(&named));
                     let name = |_| {
                         if self.reaches(pair[0], pair[1]) { Defect::Branch { position } } else { named }

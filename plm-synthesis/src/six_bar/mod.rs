@@ -1,8 +1,8 @@
 //! Six-bars: poses, defects, declarations, and synthesis by least squares.
 //!
 //! A dyad between two links of a four-bar makes a six-bar; which links decides the chain. Four of the five are driven by the crank of the
-//! four-bar. Stephenson's second chain is the third one with the second bar of the dyad held in place of the four-bar's ground, which turns
-//! as its crank: by the crank's angle its pose has no closed form, by that of the first link of the four-bar it has.
+//! four-bar. Stephenson's second chain is the third one with the second bar of the dyad fixed in place of the four-bar's ground, which
+//! turns as its crank: by the crank's angle its pose has no closed form, by that of the first link of the four-bar it has.
 
 mod declaration;
 mod defect;
@@ -41,9 +41,9 @@ pub enum Chain {
     /// Stephenson's chain with a ternary ground: coupler and ground.
     StephensonThree,
     /// Stephenson's chain with a binary ground in its five-bar loops: coupler and crank. The four-bar moves: its ground is the crank of the
-    /// six-bar, and turns about the first of its `pivots`, where the second bar of the dyad is held. The line of the pivots is the direction
-    /// of that bar; as far as they are apart are the pins of the crank. What poses and defects take as angle is that of the first link of the
-    /// four-bar, from the line of the crank's pins.
+    /// six-bar, and turns about the first of its `pivots`, at which the second bar of the dyad is fixed. The line of the pivots is the
+    /// direction of that bar, and their distance that of the pins of the crank. The angle of poses and defects is that of the first link of
+    /// the four-bar, from the line of the crank's pins.
     StephensonTwo,
 }
 

@@ -6,7 +6,7 @@ use super::kernel::{Frame, Z};
 use super::{SixBar, SixBarPose};
 use crate::four_bar::{Body, Defect, Demands, Pose, Vector, point, unit, vector};
 
-/// Largest step of the four-bar's first link between two looks at a motion, rad.
+/// Largest step of the four-bar's first link between two checks of a motion, rad.
 const STEP: f64 = PI / 180.0;
 
 impl SixBar {
@@ -144,7 +144,7 @@ pub {name} {{
     }
 }
 
-/// What ends a motion between two positions.
+/// End of a motion between two positions.
 enum Halt {
     /// A loop opens at this angle of the crank.
     Open(f64),

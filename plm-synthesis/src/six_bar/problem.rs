@@ -6,11 +6,11 @@ use crate::function::{Pair, Scales};
 use crate::numbers::first_without;
 use crate::path::{Crank, Search, Timing, without_number};
 
-/// What a six-bar has to do.
+/// Task of a six-bar.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Task {
-    /// The second bar of the dyad, or the first one of [`Chain::StephensonTwo`], turns by a function of the crank; [`Pair::rocker`] is its angle. With given scales angles count from
-    /// the line of the pivots.
+    /// The second bar of the dyad, or the first one of [`Chain::StephensonTwo`], turns by a function of the crank; [`Pair::rocker`] is its
+    /// angle. With given scales angles count from the line of the pivots.
     Function {
         /// Pairs of angles.
         pairs: Vec<Pair>,
@@ -21,7 +21,7 @@ pub enum Task {
     Path {
         /// Points, m, in the order in which they are passed.
         points: Vec<Point>,
-        /// What is known of the crank at the points.
+        /// Prescribed angles of the crank at the points.
         timing: Timing,
     },
 }
@@ -50,7 +50,7 @@ impl Bounds {
 pub struct Problem {
     /// Chain.
     pub chain: Chain,
-    /// What it has to do.
+    /// Task of the linkage.
     pub task: Task,
     /// Bounds of the dimensions.
     pub bounds: Bounds,

@@ -6,7 +6,7 @@ use super::{linear_scale, log_scale};
 
 /// Quantity and scale of an axis.
 ///
-/// The range comes from what is drawn, the curves and the reference lines, unless it is given.
+/// The range comes from the drawing, the curves and the reference lines, unless it is given.
 #[derive(Clone, Debug)]
 pub struct Axis {
     /// Quantity and unit.
@@ -142,7 +142,7 @@ impl Ruler {
         if self.scale == Scale::Log { value.log10() } else { value }
     }
 
-    /// Where `value` stands between the pixels `from` (the beginning of the axis) and `to` (its end).
+    /// Position of `value` between the pixels `from` (the beginning of the axis) and `to` (its end).
     pub(super) fn place(&self, value: f64, from: f64, to: f64) -> f64 {
         let share = (self.along(value) - self.low) / (self.high - self.low);
         let share = if self.falling { 1.0 - share } else { share };

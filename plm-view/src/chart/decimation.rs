@@ -13,10 +13,10 @@ pub(super) fn segments(
     points.split(move |&point| !has_place(point)).filter(|segment| !segment.is_empty())
 }
 
-/// Drops points that cannot be seen: of consecutive points in one pixel column, the first, the lowest, the
-/// highest and the last are kept, in their order. No peak is lost, however short.
+/// Drops points that cannot be seen. Of consecutive points in one pixel column, the first, the lowest, the highest and the last remain, in
+/// their order. No peak is lost, however short.
 ///
-/// `column` tells the pixel column of an abscissa.
+/// `column` gives the pixel column of an abscissa.
 pub(super) fn decimate(points: &[(f64, f64)], column: impl Fn(f64) -> i32) -> Vec<(f64, f64)> {
     let mut kept = Vec::new();
     for group in points.chunk_by(|a, b| column(a.0) == column(b.0)) {

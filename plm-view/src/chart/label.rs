@@ -10,7 +10,7 @@ pub(super) fn with_unit(quantity: &str, unit: &str) -> String {
 }
 
 /// The last part of dotted names if all have the same one: `angle` for `arm.angle` and `forearm.angle`, nothing
-/// for `arm.x` and `arm.y`. One name alone is told by the legend, so its last part serves too.
+/// for `arm.x` and `arm.y`. A single name is in the legend, so its last part serves too.
 pub(super) fn common_quantity<'a>(names: impl Iterator<Item = &'a str>) -> &'a str {
     let mut common = None;
     for name in names {

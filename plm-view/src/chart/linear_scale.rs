@@ -41,7 +41,7 @@ pub(super) fn ticks(low: f64, high: f64) -> Vec<Tick> {
     (first..=last).map(|count| Tick { value: step.times(count), label: step.label(count, largest) }).collect()
 }
 
-/// A distance between ticks: `digit` · 10^`exponent`, kept in decimal so that labels are exact.
+/// A distance between ticks: `digit` · 10^`exponent`, stored in decimal so that labels are exact.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     digit: i64,

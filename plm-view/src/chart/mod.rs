@@ -160,7 +160,7 @@ impl Panel {
                 series.push(if column.role == Role::Motion { one } else { one.as_points() });
             }
         }
-        // Readings have the name of what is read, and a word.
+        // A series of readings is named by their quantity and a further noun.
         let has_lines = series.iter().any(|one| one.style.has_line());
         let named = series.iter().filter(|one| one.style.has_line() == has_lines);
         let quantity = label::common_quantity(named.map(|one| one.name.as_str()));

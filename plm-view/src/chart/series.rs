@@ -31,12 +31,12 @@ impl Style {
     }
 }
 
-/// How a series is told from others: by colour and shape of its markers, and by dashes and filling.
+/// Look that distinguishes a series from others: colour and shape of its markers, dashes and filling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Look {
     /// Members of a family share colour and shape; variants differ in dashes and filling.
     Family { family: usize, variant: usize },
-    /// Grey, for what is there to compare with; one shape and one kind of dashes each.
+    /// Grey, for a reference; one shape and one kind of dashes each.
     Muted(usize),
 }
 

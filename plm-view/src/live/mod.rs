@@ -11,7 +11,7 @@ use crate::package::{Output, Package};
 /// The functions that a module exports, for a mechanism called `NAME`.
 const SHIM: &str = include_str!("shim.rs.txt");
 
-/// What a module is made of.
+/// Sources of a module.
 #[derive(Clone, Debug)]
 pub struct Module<'a> {
     /// Name of the mechanism's type.

@@ -1,8 +1,8 @@
-//! A static library that is one object, of which nothing is seen but its own functions.
+//! A static library that is one object, which exports nothing but its own functions.
 //!
-//! What Rust makes carries Rust's library, whose names would meet those in another supplier's library (`rust_eh_personality`
-//! is defined twice). Linkers of ELF put all into one object, and objcopy makes local what is not to be seen. Other systems keep
-//! what Rust makes: there a shared library does the same.
+//! A static library of Rust contains Rust's library, whose names collide with those in another supplier's library (`rust_eh_personality` is
+//! defined twice). Linkers of ELF combine all into one object, and objcopy makes the other names local. Other systems keep the output of
+//! Rust: there a shared library has the same effect.
 
 use std::fs;
 use std::io::ErrorKind;
@@ -55,7 +55,7 @@ fn sealed(folder: &Path, built: &[u8], prefixes: &[&str]) -> Result<Vec<u8>, Str
     fs::write(folder.join("all.a"), built).map_err(told)?;
     let mut link: Vec<String> = ["-r", "-nostdlib", "-o", "one.o", "all.a"].map(str::to_owned).into();
     link.extend(prefixes.iter().map(|prefix| format!("-Wl,-u,{prefix}_size")));
-    // Groups that two libraries have in common are kept once by the linker, but each object's own names are local then.
+    // The linker takes groups that two libraries have in common once, but each object's own names are local then.
     let groups = ["-Wl,--force-group-allocation".to_owned()];
     run("CC", "cc", folder, link.iter().chain(&groups)).or_else(|_| run("CC", "cc", folder, &link))?;
     let mut hide = vec!["--wildcard".to_owned()];

@@ -115,7 +115,7 @@ const SERVED: &[(&str, &str)] = &[
     ("served", include_str!("../../page/src/served.js")),
 ];
 
-/// What a page shows.
+/// Kind of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// Results alone.

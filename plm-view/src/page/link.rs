@@ -64,7 +64,7 @@ mod tests {
             return;
         }
         assert_eq!(opened(&link), Some(text));
-        // Noise does not get shorter: the page reads a long link, and what is longer still is none.
+        // Noise does not get shorter: the page reads a long link; a longer one is none.
         let mut seed = 1_u32;
         let mut letter = || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

@@ -53,16 +53,16 @@ impl Recording {
 
     /// Reads a table of text: a line of headings, one of which is the time, then a line of numbers for each moment.
     ///
-    /// It reads what [`write_csv`](Self::write_csv) writes, to the bit, and what others write: `time`, `t`, `Time [s]`, `t (ms)`,
-    /// `time/s`, `time_us`, `Zeit in s` are headings of the time (in s without a unit; it is recorded in s), columns are separated by
-    /// commas, semicolons or tabs or by what Excel's line `sep=;` says, and numbers may have a decimal comma where commas do not separate
-    /// them. Units stand in the headings or in a line below; an empty field is a gap (NaN). Lines may end as on any system, the last one
-    /// without a break. Blank lines, comments after `#`, lines before the headings, separators at the end of lines, a first column that
-    /// numbers the lines and a byte-order mark are skipped. The text is UTF-8, UTF-16 with its mark, or else of code page 1252, as
-    /// spreadsheets on Windows write it; that is told by a notice ([`About::notices`](super::About::notices)).
+    /// It reads tables of [`write_csv`](Self::write_csv), to the bit, and tables of others: `time`, `t`, `Time [s]`, `t (ms)`, `time/s`,
+    /// `time_us`, `Zeit in s` are headings of the time (in s without a unit; it is recorded in s), columns are separated by commas,
+    /// semicolons or tabs or by what Excel's line `sep=;` says, and numbers may have a decimal comma where commas do not separate them.
+    /// Units stand in the headings or in a line below; an empty field is a gap (NaN). Lines may end as on any system, the last one without
+    /// a break. Blank lines, comments after `#`, lines before the headings, separators at the end of lines, a first column that numbers the
+    /// lines and a byte-order mark are skipped. The text is UTF-8, UTF-16 with its mark, or else of code page 1252, as spreadsheets on
+    /// Windows write it; a notice ([`About::notices`](super::About::notices)) reports that.
     ///
-    /// A table that is cut off within its last number cannot be told from one without the last line break; of a results file
-    /// ([`Recording::write`]) it is told.
+    /// A table that is cut off within its last number looks like one without the last line break; for a results file ([`Recording::write`])
+    /// it is reported.
     ///
     /// # Errors
     /// If the file cannot be read or has a mistake, with its line and column; [`Unread::whole`] has the rows before it.

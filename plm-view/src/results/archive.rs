@@ -29,7 +29,7 @@ pub(super) enum Archive<'a> {
     Cut { bytes: &'a [u8], starts: BTreeMap<String, usize> },
 }
 
-/// What an entry holds.
+/// Contents of an entry.
 pub(super) enum Entry {
     /// All of it.
     Whole(Vec<u8>),
@@ -38,9 +38,9 @@ pub(super) enum Entry {
 }
 
 impl<'a> Archive<'a> {
-    /// The archive in these bytes, and what is wrong with it as a whole.
+    /// The archive in these bytes, and its defect as a whole.
     ///
-    /// Of one whose directory is not there all is found that comes before the cut.
+    /// Without a directory all entries before the cut are found.
     pub(super) fn new(bytes: &'a [u8]) -> (Self, Option<String>) {
         if let Ok(zip) = ZipArchive::new(Cursor::new(bytes)) {
             return (Self::Whole(Box::new(zip)), None);
@@ -52,7 +52,7 @@ impl<'a> Archive<'a> {
     /// Unpacks an entry; none if there is none of this name.
     ///
     /// # Errors
-    /// If it is damaged, or larger than what is left to be taken: in words that go on after its name.
+    /// If it is damaged, or larger than the rest of the budget: a text that continues after its name.
     pub(super) fn entry(&mut self, name: &str, budget: &Budget) -> Option<Result<Entry, String>> {
         match self {
             Self::Whole(zip) => {
@@ -84,13 +84,13 @@ fn unpacked<R: Read>(file: &mut ZipFile<'_, R>, budget: &Budget) -> Result<(Vec<
     let length = file.size();
     let mut bytes = budget.room(usize::try_from(length).unwrap_or(usize::MAX))?;
     let came = file.by_ref().take(length).read_to_end(&mut bytes);
-    // The check sum is looked at where the end is reached.
+    // The check sum is verified at the end.
     let is_whole =
         came.is_ok_and(|came| came as u64 == length) && file.read(&mut [0]).is_ok_and(|more| more == 0);
     Ok((bytes, is_whole))
 }
 
-/// Where entries begin that follow each other from the beginning of a file, and why there are no more.
+/// Offsets of entries that follow each other from the beginning of a file, and why there are no more.
 fn starts(bytes: &[u8]) -> (BTreeMap<String, usize>, String) {
     let (mut rest, mut starts) = (bytes, BTreeMap::new());
     loop {

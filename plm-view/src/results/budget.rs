@@ -14,7 +14,7 @@ impl Budget {
     /// Takes so many bytes.
     ///
     /// # Errors
-    /// If they are more than what is left; then nothing is taken.
+    /// If they are more than the rest; then nothing is taken.
     pub(super) fn take(&mut self, bytes: usize) -> Result<(), String> {
         self.left = self.left.checked_sub(bytes).ok_or_else(|| self.too_large())?;
         Ok(())
@@ -38,7 +38,7 @@ impl Budget {
     /// An empty list with room for so many; they are not taken yet.
     ///
     /// # Errors
-    /// If they do not fit into what is left, or the system has no such memory.
+    /// If they do not fit into the rest, or the system has no such memory.
     pub(super) fn room<T>(&self, count: usize) -> Result<Vec<T>, String> {
         let bytes = count.saturating_mul(size_of::<T>());
         if bytes > self.left {

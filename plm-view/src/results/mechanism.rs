@@ -1,4 +1,4 @@
-//! A mechanism as a results file tells of it: SI throughout, lengths in m, angles in rad.
+//! A mechanism as a results file describes it: SI throughout, lengths in m, angles in rad.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ pub struct Mechanism {
     pub name: String,
     /// Its documentation.
     pub doc: String,
-    /// What the compiler has chosen.
+    /// Choices of the compiler.
     pub report: Report,
     /// The bodies.
     pub bodies: Vec<Body>,
@@ -40,7 +40,7 @@ impl Mechanism {
 /// The formulation that was taken, why, and what it costs.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Report {
-    /// What the unknowns are: `joint coordinates`.
+    /// Unknowns of the formulation: `joint coordinates`.
     pub formulation: String,
     /// Why it was taken.
     pub reason: String,
@@ -129,7 +129,7 @@ pub struct GroundPort {
 pub struct Part {
     /// Its full name, `arm.spring`.
     pub name: String,
-    /// The word of the declaration: `revolute`, `jack`.
+    /// The keyword of the declaration: `revolute`, `jack`.
     pub kind: String,
     /// Its kinematic pair, if it is a joint that states one.
     pub pair: Option<String>,
@@ -164,7 +164,7 @@ pub struct Shape {
 /// A frame that a part joins.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Frame {
-    /// What the part calls it: `a`.
+    /// Name of the frame in the part: `a`.
     pub argument: String,
     /// The number of its body; none for the ground.
     pub body: Option<usize>,
@@ -186,8 +186,8 @@ pub struct Parameter {
     pub value: f64,
 }
 
-/// A parameter as it stands in the file. What is flattened by serde is kept in another form until all of it is known, keys
-/// that nobody knows too, in many times the memory.
+/// A parameter as it stands in the file. serde would buffer flattened fields in another form until all of them are known, unknown keys too,
+/// in many times the memory.
 #[derive(Deserialize)]
 struct FlatParameter {
     name: String,

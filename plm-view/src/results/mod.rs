@@ -22,7 +22,7 @@ pub use mechanism::{Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Q
 use crate::error::{Error, Unread, read_file, write_file};
 use crate::recording::{About, OF_GROUND, OF_POSE, Recording};
 
-/// The word by which a results file is known.
+/// The text that identifies a results file.
 const FORMAT: &str = "plm results";
 /// The version of the format that is written and read here.
 const VERSION: u32 = 1;
@@ -41,7 +41,7 @@ struct Head {
 /// Runs that stand in one file.
 #[derive(Clone, Debug, Default)]
 pub struct Results {
-    /// What wrote the file; of results that were not read, nothing.
+    /// Program that wrote the file; empty for results that were not read.
     pub made_by: String,
     /// The runs.
     pub runs: Vec<Recording>,
@@ -110,13 +110,12 @@ impl Results {
         read_file(path.as_ref(), most, |bytes| Self::from_bytes_within(bytes, most))
     }
 
-    /// What these bytes of a results file hold, and what is missing or wrong; nothing if all is well. It takes
-    /// [`MOST_BYTES`](Self::MOST_BYTES) at most.
+    /// Contents of the bytes of a results file, and its defects; none if all is well. It takes [`MOST_BYTES`](Self::MOST_BYTES) at most.
     pub fn from_bytes(bytes: &[u8]) -> (Self, Vec<String>) {
         Self::from_bytes_within(bytes, Self::MOST_BYTES)
     }
 
-    /// The same, and takes so many bytes at most; see [`read_within`](Self::read_within).
+    /// As [`from_bytes`](Self::from_bytes), with so many bytes at most; see [`read_within`](Self::read_within).
     pub fn from_bytes_within(bytes: &[u8], most: usize) -> (Self, Vec<String>) {
         read::results(bytes, most)
     }

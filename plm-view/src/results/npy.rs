@@ -11,7 +11,7 @@ pub(super) struct Array<'a> {
     data: &'a [u8],
 }
 
-/// What stands for a number.
+/// Storage type of a number.
 #[derive(Clone, Copy)]
 enum Kind {
     Double,

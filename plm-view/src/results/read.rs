@@ -1,4 +1,4 @@
-//! What the bytes of a results file hold, as far as they are whole.
+//! Reads the bytes of a results file, as far as they are whole.
 
 use serde::Deserialize;
 
@@ -7,10 +7,10 @@ use super::budget::Budget;
 use super::{FORMAT, HEAD, Head, Results, TABLES, VERSION, npy};
 use crate::recording::{About, Recording};
 
-/// What is read of `plm.json` takes so many times its length at most: the smallest things that it can list.
+/// Memory of the parsed `plm.json`, at most, as a multiple of its length: for the smallest values that it can list.
 const HEAD_GROWS: usize = 16;
 
-/// What is looked at before the rest of `plm.json`.
+/// Fields that are checked before the rest of `plm.json`.
 #[derive(Deserialize)]
 struct Kind {
     #[serde(default)]
@@ -19,7 +19,7 @@ struct Kind {
     version: u32,
 }
 
-/// What is being read.
+/// A results file while it is read.
 struct Reading<'a> {
     archive: Archive<'a>,
     budget: Budget,
@@ -34,7 +34,7 @@ struct Column {
     rows: Option<usize>,
 }
 
-/// What these bytes hold, and what is missing or wrong.
+/// Contents of these bytes, and their defects.
 pub(super) fn results(bytes: &[u8], most: usize) -> (Results, Vec<String>) {
     if !bytes.starts_with(b"PK") {
         return (Results::default(), vec!["it is no results file: no zip archive".to_owned()]);
@@ -102,7 +102,7 @@ impl Reading<'_> {
         recording
     }
 
-    /// Takes what is to stand for numbers that are missing.
+    /// Takes room for numbers that are missing.
     fn gaps(&mut self, recording: &Recording, rows: usize, tables: &[Vec<f64>]) -> Result<(), String> {
         let all = recording.tables().map(|table| rows.saturating_mul(table.width()));
         let missing = all.into_iter().zip(tables).map(|(all, table)| all.saturating_sub(table.len()));
@@ -110,7 +110,7 @@ impl Reading<'_> {
         self.budget.take(missing.saturating_mul(size_of::<f64>()))
     }
 
-    /// An array, as far as it came; what is wrong with it is told.
+    /// An array, as far as it came; its defects are reported.
     fn array(&mut self, name: &str, fits: &dyn Fn(&[usize]) -> bool) -> Column {
         let (column, problem) = self.column(name, fits);
         self.problems.extend(problem.map(|problem| format!("{name} {problem}")));
@@ -141,10 +141,10 @@ impl Reading<'_> {
     }
 }
 
-/// The numbers of an array as far as they came, row by row, and what is wrong.
+/// The numbers of an array as far as they came, row by row, and their defect.
 ///
 /// # Errors
-/// If they take more than what is left.
+/// If they take more than the rest of the budget.
 fn numbers(array: &npy::Array, budget: &mut Budget) -> Result<(Column, Option<String>), String> {
     let rows = array.shape.first().copied().unwrap_or_default();
     // No array is as long as the largest number.

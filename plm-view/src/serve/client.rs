@@ -1,4 +1,4 @@
-//! What waits for a client to be sent: a queue that the simulation fills and the client's own thread empties.
+//! Output queue of a client: the simulation fills it and the client's own thread empties it.
 
 use std::net::{Shutdown, TcpStream};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -54,7 +54,7 @@ impl Client {
         Self { connection: Some(connection), ..Self::default() }
     }
 
-    /// Adds what is to be sent, without waiting for anybody; false if the client is given up.
+    /// Adds an item, without waiting; false if the client is given up.
     pub(super) fn push(&self, item: Item) -> bool {
         let mut waiting = locked(&self.waiting);
         waiting.push(item);
@@ -62,7 +62,7 @@ impl Client {
         !waiting.is_given_up
     }
 
-    /// Nothing more will come; or nobody listens any more.
+    /// Ends the queue: nothing more will come, or the client has left.
     pub(super) fn end(&self) {
         let mut waiting = locked(&self.waiting);
         waiting.is_over = true;
@@ -79,7 +79,7 @@ impl Client {
         }
     }
 
-    /// What waits, as text of server-sent events; a comment after a second without any; nothing at the end.
+    /// The waiting items, as text of server-sent events; a comment after a second without any; `None` at the end.
     pub(super) fn take(&self) -> Option<String> {
         let waiting = locked(&self.waiting);
         let is_idle = |waiting: &mut Waiting| waiting.items.is_empty() && !waiting.is_over;
@@ -140,7 +140,7 @@ fn text(items: &[Item]) -> String {
     text
 }
 
-/// As JSON on one line; what is no number is `null`.
+/// As JSON on one line; NaN and infinities are `null`.
 pub(super) fn json(value: &impl Serialize) -> String {
     // Nothing that is sent has keys other than names, so that writing it does not fail.
     serde_json::to_string(value).unwrap_or_default()

@@ -1,9 +1,9 @@
-//! What a served page asks of the program.
+//! Messages of a served page to the program.
 
 use serde::Deserialize;
 
-/// What somebody did in a served page. All in SI; indices as in the tables of the mechanism, whoever obeys looks whether there is
-/// such a one.
+/// An action of a user in a served page. All in SI; indices as in the tables of the mechanism. The receiver must check that an index
+/// exists.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Message {
@@ -55,7 +55,7 @@ pub struct Pull {
     pub body: usize,
     /// From the centre of gravity, in the axes of the body, m.
     pub point: [f64; 2],
-    /// Where the point is pulled to, absolute axes, m.
+    /// Target to which the point is pulled, absolute axes, m.
     pub target: [f64; 2],
     /// N/m.
     pub stiffness: f64,

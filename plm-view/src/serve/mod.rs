@@ -1,5 +1,5 @@
 //! A page that a running program serves itself, over HTTP from the loopback interface alone: `GET /` is the page, `GET /events`
-//! the run as server-sent events, `POST /message` what somebody does in the page.
+//! the run as server-sent events, `POST /message` the actions of users in the page.
 //!
 //! The simulation never waits for a client: each has a thread and a queue of its own.
 
@@ -27,16 +27,16 @@ use request::Refusal;
 
 /// Connections at once; more are refused.
 const MOST_CONNECTIONS: usize = 32;
-/// Of these so many listen; a further one takes the place of the one that has listened longest. Whether somebody reads cannot be
-/// told for long: the system takes megabytes for one that does not. What else connects is done within seconds.
+/// Most of them that may listen to events; a further one takes the place of the one that has listened longest. A client that no longer
+/// reads is detected late: the system buffers megabytes for it. All other connections are done within seconds.
 const MOST_LISTENERS: usize = 24;
-/// Messages that nobody has taken; more are refused.
+/// Messages that were not taken yet; more are refused.
 const MOST_MESSAGES: usize = 1024;
 /// A request must have come after this time.
 const REQUEST_TIME: Duration = Duration::from_secs(3);
 /// Of one that is refused so much longer is listened to what still comes.
 const FAREWELL: Duration = Duration::from_millis(500);
-/// Clocks are looked at so often while nothing comes.
+/// Interval at which clocks are read while nothing comes.
 const LOOK: Duration = Duration::from_millis(200);
 /// An answer must have been taken after this time.
 const ANSWER_TIME: Duration = Duration::from_secs(5);
@@ -47,7 +47,7 @@ const FRAME: Duration = Duration::from_millis(16);
 /// At the end clients get what still waits for them, in this time.
 const LAST_WORDS: Duration = Duration::from_secs(1);
 
-/// A served page and whoever looks at it. It ends where it is dropped.
+/// A served page and its clients. It ends when it is dropped.
 #[derive(Debug)]
 pub struct Host {
     shared: Arc<Shared>,
@@ -90,7 +90,7 @@ enum Event<'a> {
 struct Shared {
     page: String,
     hello: Arc<str>,
-    /// What the header `Host` may say.
+    /// Allowed values of the header `Host`.
     names: Vec<String>,
     state: Mutex<State>,
     connections: AtomicUsize,
@@ -98,7 +98,7 @@ struct Shared {
     messages: SyncSender<Message>,
 }
 
-/// What somebody who comes later is told, and who listens.
+/// State for clients that come later, and the clients.
 #[derive(Debug)]
 struct State {
     row: Arc<[f64]>,
@@ -144,12 +144,12 @@ impl Host {
         Ok(Self { shared, messages, address, accepting: Some(accepting) })
     }
 
-    /// Where it listens.
+    /// Address at which it listens.
     pub fn address(&self) -> SocketAddr {
         self.address
     }
 
-    /// What the next message asks for, if somebody has sent one.
+    /// The next message, if one was sent.
     pub fn message(&self) -> Option<Message> {
         self.messages.try_recv().ok()
     }
@@ -172,8 +172,8 @@ impl Host {
         state.send(&Item::Text(text));
     }
 
-    /// Parameters and inputs as they are, and the shape that parameters make with the names of its sizes, as
-    /// `plm::live::Live::shape` and `size_names` tell them; SI.
+    /// Parameters and inputs as they are, and the shape that parameters make with the names of its sizes, as those of
+    /// `plm::live::Live::shape` and `size_names`; SI.
     pub fn settings(&self, parameters: &[f64], inputs: &[f64], (shape, size_names): (&[f64], &str)) {
         let text: Arc<str> = json(&Event::Settings { parameters, inputs, shape, size_names }).into();
         let mut state = locked(&self.shared.state);
@@ -181,7 +181,7 @@ impl Host {
         state.send(&Item::Text(text));
     }
 
-    /// Whether it runs or stands still, and how many seconds of the run go into a second.
+    /// Reports that it runs or stands still, and how many seconds of the run go into a second.
     pub fn running(&self, is_running: bool, speed: f64) {
         let text: Arc<str> = json(&Event::Running { is_running, speed }).into();
         let mut state = locked(&self.shared.state);
@@ -201,7 +201,7 @@ impl Host {
 impl Drop for Host {
     fn drop(&mut self) {
         self.shared.is_over.store(true, Ordering::Release);
-        // Whoever accepts wakes up, and closes the port.
+        // The accepting thread wakes up, and closes the port.
         let woken = TcpStream::connect_timeout(&self.address, LAST_WORDS);
         if let (Ok(_), Some(accepting)) = (woken, self.accepting.take()) {
             drop(accepting.join());
@@ -253,7 +253,7 @@ fn accept(listener: &TcpListener, shared: &Arc<Shared>) {
         }
         if shared.connections.fetch_add(1, Ordering::AcqRel) >= MOST_CONNECTIONS {
             shared.connections.fetch_sub(1, Ordering::AcqRel);
-            // Whoever accepts does not wait for one that is refused.
+            // The accepting thread does not wait for one that is refused.
             drop(stream.set_read_timeout(Some(FRAME)));
             refuse(&mut stream, Refusal(503, "too many connections"));
             continue;
@@ -273,7 +273,7 @@ impl Drop for Counted {
     }
 }
 
-/// One request and its answer. An answer that nobody takes is nobody's loss.
+/// One request and its answer. A failure to send the answer is ignored.
 fn serve(stream: &mut TcpStream, shared: &Shared) {
     let outcome = request::read(stream, Instant::now() + REQUEST_TIME).and_then(|request| {
         access::check(&request, &shared.names)?;
@@ -325,7 +325,7 @@ impl Write for InTime<'_> {
     }
 }
 
-/// Says no, and takes some of what still comes: bytes that nobody reads would undo the answer.
+/// Sends a refusal, and reads some of the remaining request: unread bytes would discard the answer.
 fn refuse(stream: &mut TcpStream, Refusal(status, why): Refusal) {
     let said =
         request::answer(stream, status, "text/plain", why).and_then(|()| stream.shutdown(Shutdown::Write));
@@ -341,7 +341,7 @@ fn refuse(stream: &mut TcpStream, Refusal(status, why): Refusal) {
     }
 }
 
-/// Sends events until somebody leaves.
+/// Sends events until the client leaves.
 fn events(stream: &mut TcpStream, shared: &Shared) -> io::Result<()> {
     stream.set_nodelay(true)?;
     stream.write_all(request::events_head().as_bytes())?;

@@ -15,7 +15,7 @@ pub(super) struct Request {
     pub(super) method: String,
     pub(super) path: String,
     pub(super) host: String,
-    /// Where the page that sends it came from, if the browser says so.
+    /// Origin of the page that sends it, if the browser says so.
     pub(super) origin: Option<String>,
     pub(super) fetch: Fetch,
     pub(super) body: Vec<u8>,
@@ -24,15 +24,15 @@ pub(super) struct Request {
 /// Who asks for what, if the browser says so (W3C: Fetch Metadata Request Headers).
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Fetch {
-    /// `same-origin`, `same-site`, `cross-site`; `none` where somebody has typed the address.
+    /// `same-origin`, `same-site`, `cross-site`; `none` if the user has typed the address.
     pub(super) site: Option<String>,
     /// `navigate` where the answer is to be shown as a whole.
     pub(super) mode: Option<String>,
-    /// What it is for: `document`, `image`.
+    /// Destination: `document`, `image`.
     pub(super) dest: Option<String>,
 }
 
-/// Why a request is not answered as it wants: a status of HTTP, and words.
+/// Reason why a request is refused: a status of HTTP, and a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Refusal(pub(super) u16, pub(super) &'static str);
 
@@ -40,10 +40,10 @@ const MALFORMED: Refusal = Refusal(400, "this is no request of HTTP/1.1");
 const TOO_LARGE: Refusal = Refusal(413, "the request is too large");
 const TOO_SLOW: Refusal = Refusal(408, "the request took too long");
 
-/// Reads a request until a moment of the clock; a read of the stream ends by itself, and may come to nothing.
+/// Reads a request until a moment of the clock; a read of the stream ends by itself, and may give nothing.
 ///
 /// # Errors
-/// What is malformed, too large or too slow.
+/// A request that is malformed, too large or too slow.
 pub(super) fn read(stream: &mut impl Read, until: Instant) -> Result<Request, Refusal> {
     let mut bytes = Vec::new();
     let end = loop {
@@ -148,7 +148,7 @@ pub(super) fn events_head() -> String {
     format!("HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\n{COMMON}\r\n")
 }
 
-/// Nothing is kept by the browser, and no other page may show this one in a frame, where clicks could be led astray.
+/// The browser stores nothing, and no other page may show this one in a frame, where clicks could be led astray.
 const COMMON: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\n\
      Content-Security-Policy: frame-ancestors 'none'\r\nConnection: close\r\n";
 

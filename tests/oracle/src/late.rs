@@ -16,7 +16,7 @@ use self::importer::{Finds, Importer};
 
 pub(crate) type Mechanism = Dynamic<f64, 9, 8, 32, 9>;
 
-/// What moves.
+/// Kind of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Family {
     /// A box that is thrown on a rough floor, bounces, slides and sticks.
@@ -88,7 +88,7 @@ struct Numbers {
     tolerance: Option<f64>,
 }
 
-/// What moves, from where, and by which importer.
+/// Draws a motion, its numbers and an importer, and compares the run with the closed form.
 pub(crate) fn case(draw: &mut Draw) -> Case {
     let family = *draw.one_of(&[Family::Bounce, Family::Bounce, Family::Slide, Family::When]);
     let numbers = Numbers {

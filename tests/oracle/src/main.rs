@@ -14,7 +14,7 @@ use lexopt::{Arg, Parser, ValueExt};
 
 use plm_oracle::{SWEEPS, Sweep, Table};
 
-/// What was asked for.
+/// Options of the command line.
 struct Asked {
     sweeps: &'static [Sweep],
     seed: u64,

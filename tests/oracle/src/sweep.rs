@@ -76,14 +76,14 @@ pub struct Sweep {
 
 /// A case with what came of it.
 pub(crate) struct Case {
-    /// What distinguishes it from others of its sweep, for the table.
+    /// Name of its kind within the sweep, for the table.
     pub(crate) family: String,
     /// The declaration, and all else that repeats it by hand.
     pub(crate) text: String,
     pub(crate) verdict: Verdict,
 }
 
-/// What the comparison says.
+/// Verdict of a comparison.
 pub(crate) enum Verdict {
     /// Within so many times the bound; at most 1.
     Right(f64),

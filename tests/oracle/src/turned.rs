@@ -146,7 +146,7 @@ fn body(inside: &str, by: &str) -> Option<String> {
     Some(out + " ")
 }
 
-/// What stands between: gravity is turned; what reads absolute axes beside outputs has no image here.
+/// Items outside the blocks of the ground and of bodies, with gravity turned; none if one that is no output reads absolute axes.
 fn others(text: &str, by: &str) -> Option<String> {
     let mut out = String::new();
     let items = split(text, ';');

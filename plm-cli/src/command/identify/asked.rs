@@ -1,4 +1,4 @@
-//! Words of `plm identify`.
+//! Arguments of `plm identify`.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ use super::super::words::{Words, known, names};
 use crate::readings::experiment;
 use crate::value::{declared_value, value};
 
-/// The words of the command.
+/// Parsed arguments of the command.
 pub(super) struct Asked {
     pub(super) csv: Vec<String>,
     fit: Vec<String>,

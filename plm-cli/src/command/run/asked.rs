@@ -1,4 +1,4 @@
-//! The words of `plm run`.
+//! Arguments of `plm run`.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use super::Failure;
 
 /// Samples of a table, and of CSV as compiled programs have it.
 const SAMPLES: [f64; 2] = [20.0, 1000.0];
-/// More rows than anybody reads.
+/// Largest number of rows of a table.
 const MOST_ROWS: f64 = 1e5;
 
 /// Which rows are written.
@@ -55,7 +55,7 @@ impl Signals {
     }
 }
 
-/// The words of the command.
+/// Parsed arguments of the command.
 pub(super) struct Asked {
     pub(super) until: f64,
     pub(super) every: f64,
@@ -64,7 +64,7 @@ pub(super) struct Asked {
     pub(super) signals: Signals,
     pub(super) method: Integrator,
     pub(super) rows: Rows,
-    /// Are counts and events told?
+    /// True if counters and events are printed.
     pub(super) stats: bool,
     pub(super) csv: Option<String>,
     pub(super) view: Option<PathBuf>,

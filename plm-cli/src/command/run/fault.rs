@@ -12,14 +12,14 @@ use crate::checked::{Checked, checked};
 use crate::quote::quote;
 use crate::read::File;
 
-/// Tells of a run that has ended.
+/// Reports a run that has ended.
 pub(super) fn ended(fault: &Fault, file: &File, to: &mut dyn Write) -> io::Result<()> {
     let text = in_unit(&rounded(fault), fault.part, file);
     writeln!(to, "plm: {text}")?;
     quote(fault.part, file).map_or(Ok(()), |quote| write!(to, "{quote}"))
 }
 
-/// The text of a fault, its time with nine digits: what happens is looked for by them, and the results have all.
+/// The text of a fault, its time with nine digits, which are enough to find the event; the results have all digits.
 fn rounded(fault: &Fault) -> String {
     let text = fault.to_string();
     let short = format!("{:.8e}", fault.time).parse().unwrap_or(fault.time);
@@ -27,8 +27,8 @@ fn rounded(fault: &Fault) -> String {
         .map_or(text.clone(), |rest| format!("t = {short} s{rest}"))
 }
 
-/// Tells of a start that fails: as the compiler tells it of a declaration in which these values of parameters, and the defaults of all
-/// others, are lengths that are known.
+/// Reports a start that fails, by the compiler's diagnostics of a declaration in which these values of parameters, and the defaults of all
+/// others, are known lengths.
 pub(super) fn at_start(fault: &Fault, file: &File, set: &[String], to: &mut dyn Write) -> io::Result<()> {
     let told = diagnosed(file, set);
     if told.is_empty() {
@@ -43,7 +43,7 @@ pub(super) fn at_start(fault: &Fault, file: &File, set: &[String], to: &mut dyn 
     Ok(())
 }
 
-/// What the compiler says of the start; nothing where it has nothing against it.
+/// The compiler's diagnostics of the start; empty if it has no objection.
 fn diagnosed(file: &File, set: &[String]) -> Vec<String> {
     let Some(text) = with_known_values(file, set) else { return Vec::new() };
     let Checked { sources, expansion } = checked(&file.name, &text, None);

@@ -1,4 +1,4 @@
-//! What is asked and counted on the way of a run: Ctrl+C, its steps, whether stability holds them short.
+//! Observer of a run in progress: polls Ctrl+C, counts steps, and reports steps that stability limits.
 
 use std::io::Write;
 use std::time::{Duration, Instant};
@@ -7,7 +7,7 @@ use plm_dynamic::{Integrator, Run};
 
 use crate::interrupt;
 
-/// Steps between two looks at the clock.
+/// Steps between two reads of the clock.
 const LOOK: u64 = 64;
 /// A run is slow that has taken so long, ...
 const PATIENCE: Duration = Duration::from_secs(2);
@@ -27,7 +27,7 @@ pub(super) struct Following<'a> {
     /// The last step ends there, s.
     time: f64,
     has_told: bool,
-    /// Where it is told that the run is stiff, at once: a run may take hours.
+    /// Stream for the notice of a stiff run, which is written at once: a run may take hours.
     errors: &'a mut dyn Write,
 }
 
@@ -60,12 +60,12 @@ impl<'a> Following<'a> {
         }
     }
 
-    /// Tells that the run is stiff, if it is.
+    /// Writes a notice that the run is stiff, if it is.
     fn tell(&mut self) {
         self.has_told = true;
         let step = (self.time - self.start.time()) / self.steps as f64;
         if let Some(rate) = stiffness(&mut self.start, self.method, step) {
-            // Where messages cannot be written there is no place to say so.
+            // If messages cannot be written, there is no place to report it.
             let _ = writeln!(
                 self.errors,
                 "plm: notice: at t = {:.3e} s, after {:.1} s of work: stiff; something dies out at {rate:.1e} 1/s, which keeps steps at {step:.1e} s \

@@ -1,4 +1,4 @@
-//! What a run knows beside its numbers: notices, counts, events.
+//! Notices, counters and events of a run.
 
 use std::io::{self, Write};
 
@@ -9,7 +9,7 @@ use plm_runtime::contact::Counts;
 /// Something that switched: time, s, and name.
 pub(super) type Event = (f64, String);
 
-/// Writes what the user should know although the run went on.
+/// Writes the notices of a run.
 pub(super) fn notices(run: &mut Run, to: &mut dyn Write) -> io::Result<()> {
     run.notices().into_iter().try_for_each(|notice| writeln!(to, "plm: notice: {notice}"))
 }

@@ -78,7 +78,7 @@ impl Units {
         }
     }
 
-    /// Writes all of them; both versions do it in the same words.
+    /// Writes all of them; both versions use equal text.
     pub(super) fn write(&self, to: &mut impl Write) -> fmt::Result {
         self.0.iter().try_for_each(|(name, unit)| line(name, unit, to))
     }

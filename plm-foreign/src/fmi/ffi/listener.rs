@@ -9,7 +9,7 @@ use super::{DISCARD, ERROR, Outcome, WARNING};
 use crate::Text;
 use crate::fmi::Version;
 
-/// How bad it is what a function tells.
+/// Severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Severity {
     /// It was done; the user should know something of it.
@@ -53,7 +53,7 @@ pub type Log = Option<unsafe extern "C" fn(*mut c_void, Outcome, *const c_char, 
 pub type Log2 =
     Option<unsafe extern "C" fn(*mut c_void, *const c_char, Outcome, *const c_char, *const c_char, ...)>;
 
-/// Who is told.
+/// Receiver of messages.
 enum Whom {
     Three(Log),
     /// With the name of the instance.
@@ -95,7 +95,7 @@ impl Listener {
         }
     }
 
-    /// Tells the simulator what is wrong, or to be known.
+    /// Sends a message to the simulator.
     ///
     /// # Safety
     /// The function may be called with the environment.

@@ -58,7 +58,7 @@ pub unsafe fn instantiate_two<M: Exchanged>(
 /// As of [`update`]; `info` is null or the caller's.
 pub unsafe fn new_discrete_states<M: Exchanged>(handle: *mut Handle<M>, info: *mut EventInfo) -> Outcome {
     let (mut flags, mut next) = ([false; 5], 0.0);
-    // SAFETY: null is told, and nothing done.
+    // SAFETY: null is reported, and nothing done.
     let places =
         if info.is_null() { [core::ptr::null_mut(); 5] } else { flags.each_mut().map(core::ptr::from_mut) };
     // SAFETY: the caller's part; the flags are this function's.

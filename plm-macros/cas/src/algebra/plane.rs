@@ -193,7 +193,7 @@ impl Rotation {
         Rotation { cos, sin: self.sin.named(sin) }
     }
 
-    /// Where it takes the x axis.
+    /// Image of the unit vector along x: `(cos, sin)`.
     pub const fn axis(self) -> Vec2 {
         Vec2::new(self.cos, self.sin)
     }

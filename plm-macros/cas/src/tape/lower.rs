@@ -15,7 +15,8 @@ struct Lowering<'g> {
     ops: Vec<Instr>,
     /// Finds the instruction of an operation that is there already.
     memo: Table,
-    /// Where the value of each node stands (of a turned one: its negative), plus one; 0 if nowhere yet.
+    /// For each node the index of the instruction that computes it, plus one; 0 while there is none. That of a turned
+    /// sum, or of a product that carries its sign, computes the negative.
     place: Vec<u32>,
 }
 
@@ -263,8 +264,8 @@ impl Lowering<'_> {
     }
 }
 
-/// Where a sum begins: with its first positive term, else with the constant (the index after the terms), else
-/// with a term that can carry the sign in its coefficient.
+/// Index of the summand that a sum begins with: the first positive term, else the constant (the index after the terms),
+/// else the first term that can carry the sign in its coefficient, else the first. `turned` reverses all signs.
 fn first_summand(constant: Number, terms: &[(Number, Expr)], turned: bool) -> usize {
     for i in 0..terms.len() {
         if terms[i].0.is_negative() == turned {

@@ -185,7 +185,7 @@ pub struct Instr {
 pub struct Tape {
     /// The instructions. Operands come before their users; what belongs to the first output comes first.
     pub ops: Vec<Instr>,
-    /// Where the values of the roots stand, in the order of the roots.
+    /// Instructions whose values are those of the roots, in the order of the roots.
     pub outputs: Vec<Ref>,
 }
 

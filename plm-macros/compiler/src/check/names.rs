@@ -12,7 +12,7 @@ use crate::emit::METHODS;
 use crate::emit::names::{camel_case, ident, is_type_name};
 use crate::model::{Model, Name};
 
-/// Where names must differ.
+/// Namespace of the emitted code: its names must differ.
 struct Scope<'a> {
     /// Kind of name that the user would have read there.
     what: &'static str,

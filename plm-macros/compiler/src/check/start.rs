@@ -15,8 +15,8 @@ use crate::numeric::{Assembly, Scene, run};
 
 /// Reports what is wrong with the start as it was assembled.
 ///
-/// Where a dimension is a parameter the run can change it, so that only the run can judge; what does not close with the defaults is told
-/// by a warning.
+/// If the assembly depends on parameters, only the run knows the dimensions. Excess locks, and joints that do not close with the defaults,
+/// are then warnings, and the checks that follow are left out.
 pub(crate) fn check_start(scene: &Scene, found: &Assembly, diagnostics: &mut Diagnostics) {
     check_masses(scene, diagnostics);
     let limits_are_kept = check_limits(scene, diagnostics);

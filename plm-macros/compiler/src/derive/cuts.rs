@@ -1,8 +1,8 @@
-//! Where `atan2` jumps by a turn: on its cut, the negative x axis.
+//! Branch cuts of `atan2`: on the negative x axis the angle jumps by a turn.
 //!
-//! That is a condition like any other, though nobody has written it: a side is held over a step, on which the angle goes on
-//! smoothly over the cut, and the guard is `max(side y, x)`, which comes to zero on the cut and, on the way back through the other
-//! quadrants, on the y axis beyond, where both sides are the same. What cannot come to the cut has no such condition.
+//! Each cut is a condition that nobody writes. Its side is held over a step, on which the angle goes on smoothly over the cut. The guard
+//! is `max(side y, x)`. It is zero on the cut, and on the half of the y axis that the motion reaches through the other quadrants, where
+//! both sides give one angle. An angle that cannot come to its cut has no such condition.
 
 use crate::collect::{CollectVec, PushAll};
 use plm_cas::{Expr, Function, Node, Number, algebra};

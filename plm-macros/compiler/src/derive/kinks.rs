@@ -1,4 +1,4 @@
-//! Where constraint rows bend: conditions in them, and `abs`, `min`, `max`, `sign`, which are conditions as well.
+//! Kinks of constraint rows: conditions in them, and `abs`, `min`, `max`, `sign`, which are written as conditions.
 //!
 //! A row holds a position. Where its two sides differ at the boundary of a condition the bodies would have to jump, where
 //! their rates differ an impulse would be needed, and where only the second derivatives do, the accelerations jump: that is

@@ -1,8 +1,8 @@
-//! Where a division by zero comes on the way: what stands under a fraction and changes its sign, as `cos(angle)` under a tangent.
+//! Poles, where a divisor passes zero, as `cos(angle)` under a tangent; and ends of domains, as that of a root.
 //!
-//! So is the end of a domain, as of a root. Nothing goes over a pole, and a step that is long enough does all the same; so each is a condition that ends the run. It is one
-//! only where the quotient grows without bound, and is read whatever else holds: `sin(x)/x` has none, and what stands within a choice
-//! by a condition that is not held, or within `min` and `max`, is left to those.
+//! Each is a condition that ends the run: no motion goes over a pole, but a step that is long enough does. A divisor counts only if the
+//! quotient grows without bound at its zero; that of `sin(x)/x` does not. Each is watched whatever else holds. So those are left out that
+//! stand within a choice by a condition that is not held, within a comparison, or within `min` and `max`.
 
 use crate::collect::{CollectVec, PushAll};
 use crate::sorted::SortedSet;
@@ -14,7 +14,8 @@ use super::kinks::Boundary;
 use super::range::range;
 use crate::model::{End, Model, Switch};
 
-/// Adds the poles of rows and forces to the switches, those of rates of states are left to error control; `held` are conditions whose sides are held.
+/// Adds the poles and ends of domains of rows and forces to the switches; those of rates of states are left to error control. `held` are
+/// conditions whose sides are held.
 pub(super) fn hold_poles(model: &mut Model, held: &[(Expr, Expr)]) {
     let rows = model.rows.iter().map(|row| (row.phi, row.name.clone()));
     let forces = forcing_terms(model).filter(|term| term.is_force);

@@ -1,9 +1,9 @@
 //! Conditions at which forces and rates jump: each gets a side that is held over a step, so that within it everything is
 //! smooth.
 //!
-//! Where the two sides agree at the boundary (a kink) the condition stays as it is; what it compares is looked at in every
-//! step, which ends there where it matters. So are the places at which `min`, `max` and `abs` bend.
-//! In constraint rows a kink of the second derivative is a jump of accelerations, so that those are held too.
+//! A condition whose two sides agree at the boundary (a kink) gets no side. Its difference is watched in every step, and the step ends at
+//! its zero if the kink is relevant there. The places at which `min`, `max` and `abs` bend are treated alike. In constraint rows a kink of
+//! the second derivative is a jump of accelerations, so that those conditions get a side too.
 
 use crate::collect::{CollectVec, MapEach, PushAll};
 use crate::sorted::sort_by_key;

@@ -68,7 +68,7 @@ pub struct Diagnostic {
 /// The use of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Use {
-    /// Where: the name of the instance.
+    /// Span of the name of the instance.
     pub span: Span,
     /// Name of the instance.
     pub instance: String,
@@ -104,7 +104,7 @@ impl Diagnostic {
         self
     }
 
-    /// Where to show it in the declaration: its own place, or the use that leads to it.
+    /// Span in the declaration at which it is shown: its own, else that of the innermost use that leads to it.
     pub fn anchor(&self) -> Span {
         let of_declaration = |span: &Span| span.source == 0;
         let uses = self.uses.iter().rev().map(|of| of.span);
@@ -127,7 +127,8 @@ pub struct Diagnostics {
     seen: SortedSet<(Code, Span, String)>,
     /// How often each code was reported, at different places.
     counts: SortedMap<Code, usize>,
-    /// Where repetitions go, and what is not shown: a mistake in a part that is used 64 times is reported once.
+    /// Last diagnostic that is not shown, to which callers may still add help: a repetition, or one beyond the limit of its code. A mistake
+    /// in a part that is used 64 times is reported once.
     unshown: Option<Diagnostic>,
 }
 

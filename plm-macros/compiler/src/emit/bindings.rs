@@ -1,4 +1,4 @@
-//! Where the symbols of the model are found in an emitted function.
+//! Bindings of the symbols of the model: the text by which an emitted function reads each.
 
 use super::Emission;
 use super::contract::contact_sliding;

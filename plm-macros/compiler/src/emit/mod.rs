@@ -39,7 +39,7 @@ use crate::model::Model;
 use crate::report::Report;
 use crate::span::Span;
 
-/// Where rustc has what the user wrote.
+/// Map from a span of the declaration to the span that rustc has for it.
 pub(crate) type Place<'a> = &'a dyn Fn(Span) -> proc_macro2::Span;
 
 /// Everything that emission reads, and the texts that it has written.

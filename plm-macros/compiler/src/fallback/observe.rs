@@ -21,7 +21,7 @@ pub(super) enum Observable<'a> {
 }
 
 impl Observable<'_> {
-    /// Where `all` has it: bodies with their ports, the ground, nodes, parts.
+    /// Rank in the order of `observe all`: bodies with their ports, ports by themselves, nodes, parts.
     fn place(self) -> usize {
         match self {
             Observable::Body(_) => 0,

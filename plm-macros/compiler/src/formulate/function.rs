@@ -5,7 +5,7 @@ use plm_cas::{Expr, Tape, algebra};
 
 use super::rows::OfRows;
 
-/// Where a result is stored.
+/// Destination of a result.
 #[derive(Clone, PartialEq, Eq)]
 pub(crate) enum Place {
     /// An element of an array, `dx[3]`.

@@ -43,7 +43,7 @@ pub(crate) struct Augmented {
     pub(crate) accelerations: Vec<Expr>,
     /// Number of first-order states.
     pub(crate) states: usize,
-    /// Where the coefficients stand.
+    /// Places of the coefficients in the equations: row, column, and the part of the unknown that is the factor.
     pub(crate) terms: Vec<Term>,
     /// How they are eliminated.
     pub(crate) pattern: Pattern,

@@ -20,9 +20,9 @@ pub struct Routine {
     pub steps: Vec<Step>,
     /// Number of registers that the steps need.
     pub registers: usize,
-    /// Where each argument comes from.
+    /// Sources of the arguments, by number.
     pub sources: Vec<Source>,
-    /// Where each result goes, and its register.
+    /// Destinations of the results, each with the register of its value.
     pub results: Vec<(Target, u32)>,
 }
 

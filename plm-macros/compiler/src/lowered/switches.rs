@@ -22,7 +22,7 @@ pub struct Switches {
     pub read_solution: bool,
     /// When conditions and kinks matter: nodes (side, yes, no), and where each begins; empty where all matter always.
     pub nodes: Vec<(u8, u16, u16)>,
-    /// Where each condition, and each kink after them, begins.
+    /// Roots among the nodes, of each condition of the state, then of each kink.
     pub roots: Vec<u16>,
     /// Rows that may jump.
     pub jumps: Vec<Jump>,

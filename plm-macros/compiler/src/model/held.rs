@@ -55,7 +55,7 @@ pub struct Comparison {
 pub struct Decisions {
     /// An index into [`Model::switches`](super::Model::switches), and what follows on either side.
     pub nodes: Vec<(usize, usize, usize)>,
-    /// Where each condition begins, and each kink after them; nothing where all of them matter always.
+    /// Roots of the diagrams, by condition of the state, then by kink; none if all of them matter always.
     pub roots: Vec<usize>,
 }
 

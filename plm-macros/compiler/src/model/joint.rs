@@ -12,7 +12,7 @@ pub struct Part {
     pub kind: String,
     /// Its kinematic pair, if the definition states one.
     pub pair: Option<Pair>,
-    /// Where its definition states the pair.
+    /// Place in its definition that states the pair.
     pub declared: Option<Declared>,
     /// The frames that it joins, in the order of its arguments.
     pub frames: Vec<FrameRef>,

@@ -20,7 +20,7 @@ pub struct Limit {
     pub range: Range,
     /// The code of the mistake that it is where it is known to be wrong.
     pub code: Code,
-    /// Where it was written.
+    /// Span of the value as written.
     pub span: Span,
 }
 

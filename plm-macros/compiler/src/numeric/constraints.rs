@@ -23,7 +23,7 @@ pub(super) struct Constraints<'a> {
     min_norm: Tape,
 }
 
-/// Where Newton's steps ended.
+/// Result of an iteration that closes the joints. Its pose need not be closed.
 #[derive(Clone)]
 pub(super) struct Closed {
     /// The pose, m and rad.

@@ -17,8 +17,8 @@ const MOST_WORK: usize = 100_000;
 const MOST_STEPS: usize = 300;
 /// Newton's steps follow where the violation is below this part of the scene's size.
 const NEAR: f64 = 1e-3;
-/// Where the start itself is open by less than this part of the length, lengths that repeat each other disagree: no pose far away
-/// is what was meant.
+/// Violation that the damped steps leave from the declared start, as a part of the scene's size. If Newton's steps do not close the joints
+/// from less than this, the search ends: lengths that repeat each other disagree, and no pose far away was meant.
 const DISAGREE: f64 = 1e-4;
 /// Steps back towards the start values.
 const LEANS: usize = 8;

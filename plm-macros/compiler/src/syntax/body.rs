@@ -43,7 +43,7 @@ pub enum Contour {
 pub struct Port {
     /// Its name.
     pub name: IndexedName,
-    /// Where it is.
+    /// Position of its origin.
     pub at: Expr,
     /// Direction of its x axis.
     pub angle: Option<Expr>,
@@ -172,7 +172,7 @@ fn unknown_item(input: Input, word: &str) -> Reported {
 }
 
 impl Contour {
-    /// Where it stands.
+    /// Span of its points or of the name of its file; `None` without a point.
     pub(crate) fn span(&self) -> Option<Span> {
         match self {
             Contour::Points(points) => Some(points.first()?.span.to(points.last()?.span)),

@@ -24,7 +24,7 @@ pub struct Declaration {
     pub shared: Shared,
     /// The mechanism; `None` if its head could not be read.
     pub mechanism: Option<Mechanism>,
-    /// Where parts stand that `parts!` has carried here, from another crate perhaps.
+    /// Spans of the groups of parts that `parts!` has carried here, perhaps from another crate.
     pub carried: Vec<Span>,
 }
 

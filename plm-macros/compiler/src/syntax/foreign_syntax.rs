@@ -247,7 +247,7 @@ impl Input<'_> {
     }
 }
 
-/// Where a number of the user's program is wanted.
+/// Help for a name or a path that could be a constant of the user's program.
 pub(crate) const CONSTANTS: &str = "a declaration cannot see Rust's constants: declare a `param`, and set it in the value of the mechanism; a bound of `repeat` \
      comes by the argument of a `macro_rules!`";
 

@@ -34,7 +34,7 @@ pub(super) struct Input<'a> {
 /// State that all streams of one source share.
 struct Reading<'a> {
     source: &'a Source,
-    /// Where each token of the source stands, in order.
+    /// Cursors at the tokens of the source, in order.
     places: Vec<Cursor<'a>>,
     depth: Cell<u32>,
     sink: RefCell<Diagnostics>,

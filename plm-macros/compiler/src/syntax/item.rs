@@ -112,7 +112,7 @@ pub enum ItemKind {
     Domain(Domain),
 }
 
-/// Where items stand.
+/// Block in which an item stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Context {
     Mechanism,

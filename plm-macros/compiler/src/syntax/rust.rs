@@ -11,7 +11,7 @@ use syn::{Token, token};
 /// A path without arguments: `a::b`, `crate::c`, `::d`.
 ///
 /// # Errors
-/// Where none stands.
+/// No path stands here.
 pub fn path(input: ParseStream) -> Result<TokenStream> {
     let mut path = TokenStream::new();
     loop {

@@ -24,7 +24,7 @@ pub struct Shape {
     pub on: Expr,
     /// The frame that its x axis points to; without it the axis is that of the frame.
     pub towards: Option<Expr>,
-    /// Where the origin of a symbol is in its frame.
+    /// Origin of its points in its frame; of a circle its centre.
     pub origin: Option<Expr>,
     /// Its points; of a circle the radius. None for a surface along the whole x axis.
     pub points: Vec<Expr>,

@@ -22,7 +22,7 @@ pub struct Value {
     pub value: Option<Expr>,
     /// A state that a search for an equilibrium must leave alone?
     pub locked: bool,
-    /// Where a parameter or an input is marked as one that need not be set.
+    /// Span of the word `optional` after a parameter or an input: it need not be set.
     pub optional: Option<Span>,
 }
 

@@ -50,8 +50,8 @@ pub fn f32(x: f32) -> Option<f32> {
     None
 }
 
-/// The same where the unit of the processor has f32 alone; there is one, because numbers are handed over in its registers. By way of
-/// a general register: rustc lends assembly those of a unit for f64 only.
+/// Square root by a processor whose unit has f32 alone; there is one, because numbers are handed over in its registers. The number goes
+/// through a general register: rustc lends assembly registers of a unit for f64 only.
 #[cfg(all(not(feature = "f64"), target_arch = "arm", target_abi = "eabihf"))]
 #[inline]
 #[allow(unsafe_code, reason = "assembly")]

@@ -1,4 +1,4 @@
-//! Impacts of a step: rows with restitution that the step would close, before its forces.
+//! Impacts of a time step: rows with restitution that the step would close, solved before its forces.
 
 use super::solver::{Rule, solve};
 use super::{Motion, Stride, problem};
@@ -12,17 +12,18 @@ use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::vector::Vector;
 
-/// Impacts of pairs one after the other in one step, at most.
+/// Most successive impacts of pairs in one step.
 const MOST_PAIRS: u32 = 16;
 
-/// What a step has done so far.
+/// Progress of a step.
 pub(super) struct Progress<S> {
     /// The largest residual of impacts, as a rate.
     pub(super) residual: S,
     pub(super) rounds: u32,
 }
 
-/// Impacts where the step begins. Rates of the rows, velocities and the intermediate place become those after them.
+/// Impacts at the beginning of the step. Rates of the rows, velocities and the intermediate place become those
+/// after the impacts.
 pub(super) fn impacts<M: Contacts<N>, const N: usize>(
     system: &M,
     stride: &Stride<M::S>,
@@ -87,13 +88,13 @@ fn guess<S: Real>(rule: Rule, rate: S) -> Mode {
     }
 }
 
-/// A row that strikes: the step would close its gap, and its bounce would last longer than a step.
+/// First row that strikes: the step would close its gap, and its bounce would last longer than a step.
 fn striking<S: Real, const N: usize>(
     stride: &Stride<S>,
     (laws, exists): (&[Law<S>; N], &[bool; N]),
     rows: &Rows<S, N>,
 ) -> Option<usize> {
-    // What pulls a row may be what pulls others: a_i^2/D_ii has the same unit in every row.
+    // The pull on one row may act on others: a_i^2/D_ii has one unit in all rows.
     let pull = |i: usize| rows.free[i] * rows.free[i] / rows.delassus[i][i];
     let mut most = None;
     indices::<N>().find(|&i| {
@@ -112,14 +113,14 @@ fn striking<S: Real, const N: usize>(
     })
 }
 
-/// Would the step close the gap if there were no contact?
+/// True if the step would close the gap without contact.
 fn closes<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize) -> bool {
     let ([before, _], i) = (stride.parts(), below::<N>(i));
     let rate = stride.h.mul_add(rows.free[i], rows.rate[i]) - before * rows.bias[i];
     problem::end(stride, rows, i, rate) < S::ZERO
 }
 
-/// Rows that have a part in the impact: gaps that are closed, or that the step would close, and frictions.
+/// Rows that take part in the impact: gaps that are closed, or that the step would close, and frictions.
 fn touches<S: Real, const N: usize>(
     stride: &Stride<S>,
     (laws, exists): (&[Law<S>; N], &[bool; N]),
@@ -135,7 +136,7 @@ fn touches<S: Real, const N: usize>(
     })
 }
 
-/// The changes of the rates of the rows by impulses.
+/// Changes of the rates of the rows by impulses.
 fn changes<S: Real, const N: usize>(rows: &Rows<S, N>, impulses: &[S; N]) -> [S; N] {
     core::array::from_fn(|i| {
         let terms = rows.delassus[i].iter().zip(impulses);
@@ -143,7 +144,7 @@ fn changes<S: Real, const N: usize>(rows: &Rows<S, N>, impulses: &[S; N]) -> [S;
     })
 }
 
-/// The rates that time alone gives the rows.
+/// Rates of the rows that depend on time alone.
 fn rates_at_rest<M: Contacts<N>, const N: usize>(
     system: &M,
     stride: &Stride<M::S>,

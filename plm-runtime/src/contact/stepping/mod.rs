@@ -1,6 +1,6 @@
-//! Steps of time with contact after J. J. Moreau and M. Jean: impulses of all rows over a step of fixed length, without events.
+//! Time steps with contact after J. J. Moreau and M. Jean: impulses of all rows over a step of fixed length, without events.
 //!
-//! With an intermediate place `q_m = q + (1 - theta) h v` at `t_m = t + (1 - theta) h`, and everything evaluated there once,
+//! With an intermediate place `q_m = q + (1 - theta) h v` at `t_m = t + (1 - theta) h`, at which everything is evaluated once,
 //!
 //! ```text
 //! (1)  v' = v + h (a_0 + sum_j a_j lambda_j)
@@ -10,16 +10,16 @@
 //!
 //! (J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics, 1988, with theta = 1/2; M. Jean, The non-smooth contact
 //! dynamics method, Computer Methods in Applied Mechanics and Engineering 177, 1999; V. Acary, B. Brogliato, Numerical Methods for
-//! Nonsmooth Dynamical Systems, 2008, chapter 10). A gap that the step would close has `z' >= -z/(theta h)`, complementary to its push, so
-//! that it closes at the end of the step and does not become negative; a friction has `z' = 0` or the force of its limit. Impacts with
-//! restitution stand before that, where the step begins. What (2) leaves of a negative gap, or takes a friction that sticks away from its
-//! place, is led back by the rows that hold, in positions alone: velocities, and so the kinetic energy, know nothing of it (V. Acary,
-//! Projected event-capturing time-stepping schemes for nonsmooth mechanical systems with unilateral contact and Coulomb's friction,
-//! Computer Methods in Applied Mechanics and Engineering 256, 2013).
+//! Nonsmooth Dynamical Systems, 2008, chapter 10). A gap that the step would close has `z' >= -z/(theta h)`, complementary to its contact
+//! force, so that it closes at the end of the step and does not become negative; a friction has `z' = 0` or the force of its limit. Impacts
+//! with restitution come first, at the beginning of the step. A negative gap that (2) leaves, and a displacement of a sticking friction
+//! from its place, are corrected by the constraint rows in positions alone: velocities, and so the kinetic energy, are unaffected
+//! (V. Acary, Projected event-capturing time-stepping schemes for nonsmooth mechanical systems with unilateral contact and Coulomb's
+//! friction, Computer Methods in Applied Mechanics and Engineering 256, 2013).
 //!
 //! With more evaluations than one, each but the first is at the velocity `v_m = v + (1 - theta) h (a_0 + sum_j a_j lambda_j)` that the one
 //! before predicts for `t_m`, first-order states likewise: a predictor and correctors, as in C. Runge's midpoint rule (E. Hairer,
-//! S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 1993, section II.1). Impacts stand before the first.
+//! S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 1993, section II.1). Impacts come before the first evaluation.
 
 mod impacts;
 mod packed;
@@ -41,31 +41,31 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Health, Rate};
 use crate::vector::Vector;
 
-/// A step of time.
+/// A time step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stride<S> {
-    /// When it begins, s.
+    /// Time at its beginning, s.
     pub t: S,
     /// Its length, s.
     pub h: S,
-    /// The share of the step, 1/2 to 1, that positions make with the velocity at its end.
+    /// Weight of the velocity at its end in the change of positions, 1/2 to 1.
     pub theta: S,
 }
 
 impl<S: Scalar> Stride<S> {
-    /// The times from its begin to the intermediate place and from there to its end, s.
+    /// Times from its beginning to the intermediate place and from there to its end, s.
     fn parts(&self) -> [S; 2] {
         let behind = self.theta * self.h;
         [self.h - behind, behind]
     }
 }
 
-/// What is known of a step that was made.
+/// Diagnostics of a step that was made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution<S> {
-    /// The largest rate, m/s or rad/s, by which a law of contact is not met: rounding where its small problem was solved.
+    /// Largest rate, m/s or rad/s, by which a law of contact is violated: rounding if the contact problem was solved.
     pub residual: S,
-    /// Systems of equations that were solved for the modes.
+    /// Number of systems of equations that were solved for the modes.
     pub rounds: u32,
     /// The health of the equations of motion.
     pub health: Health<S>,
@@ -76,7 +76,7 @@ pub struct Solution<S> {
 pub struct Motion<S, X, const N: usize> {
     /// The rate without contact forces.
     pub rate: X,
-    /// What a multiplier of one adds to it.
+    /// Changes of the rate by unit multipliers.
     pub responses: [X; N],
     /// The rows.
     pub rows: super::Rows<S, N>,
@@ -85,22 +85,22 @@ pub struct Motion<S, X, const N: usize> {
 }
 
 /// Makes a step with so many evaluations of the equations of motion; `x` becomes the state at its end, and `u` gets the modes that have led
-/// there. `after` looks at both, or goes on from there; what it refuses is not made.
+/// there. `behind` then checks or continues both; if it fails, the modes before the step are restored.
 ///
 /// # Errors
 /// Those of [`Contacts::project_joints`] and of `after`; [`Cause::ImpactGains`](crate::Cause::ImpactGains) and
-/// [`Cause::NotAllowed`](crate::Cause::NotAllowed) as at events. `x` is of no use then, and `u` is as before.
+/// [`Cause::NotAllowed`](crate::Cause::NotAllowed) as at events. `x` is invalid then, and `u` is unchanged.
 pub fn step<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     system: &M,
     stride: &Stride<M::S>,
     u: &mut M::U,
     x: &mut M::X,
-    behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
+    after: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
 ) -> Result<Solution<M::S>, Fault> {
-    step_by::<M, N, EVALUATIONS>(system, stride, (u, x), |t, u, x| system.motion_at(t, u, x), behind)
+    step_by::<M, N, EVALUATIONS>(system, stride, (u, x), |t, u, x| system.motion_at(t, u, x), after)
 }
 
-/// Makes a step as [`step`], with the motion at the intermediate place as `motion_at` gives it for a time, a discrete state and a state.
+/// Makes a step as [`step`] does; `motion_at` gives the motion at the intermediate place for a time, a discrete state and a state.
 #[allow(
     clippy::inline_always,
     reason = "a step has one caller, on targets whose registers hold a part of it"
@@ -111,7 +111,7 @@ fn step_by<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     stride: &Stride<M::S>,
     (u, x): (&mut M::U, &mut M::X),
     motion_at: impl Fn(M::S, &M::U, &M::X) -> Motion<M::S, M::X, N>,
-    behind: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
+    finish: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
 ) -> Result<Solution<M::S>, Fault> {
     let [ahead, rest] = stride.parts();
     drift::<M>(ahead, x);
@@ -149,11 +149,11 @@ fn step_by<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
         health: motion.health,
     };
     if !(motion.health.is_good() && x.is_finite()) {
-        return behind(u, x, &solution).map(|()| solution);
+        return finish(u, x, &solution).map(|()| solution);
     }
     super::project::joints_after_step(system, stride.t + stride.h, u, x)?;
     *u.modes_mut() = after;
-    if let Err(fault) = behind(u, x, &solution) {
+    if let Err(fault) = finish(u, x, &solution) {
         *u.modes_mut() = before;
         return Err(fault);
     }
@@ -161,7 +161,7 @@ fn step_by<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     Ok(solution)
 }
 
-/// First-order states by their rate with the forces of rows, where it is not affine in them.
+/// Replaces the rates of first-order states by those with the forces of rows, if these are not affine in the forces.
 #[inline]
 fn with_forces<M: Contacts<N>, const N: usize>(
     system: &M,
@@ -176,7 +176,7 @@ fn with_forces<M: Contacts<N>, const N: usize>(
     }
 }
 
-/// The rate of velocities and of first-order states with the forces of rows.
+/// Rate of velocities and of first-order states with the forces of rows.
 fn with_responses<M: Rate, const N: usize>(motion: &Motion<M::S, M::X, N>, lambda: &[M::S; N]) -> M::X {
     let mut rate = motion.rate;
     for i in M::NQ..2 * M::NQ {
@@ -194,7 +194,8 @@ fn predicted<M: Rate>(time: M::S, x: &M::X, rate: &M::X) -> M::X {
     place
 }
 
-/// The `next` evaluation of a step. The rates of its rows are those with the velocity where the step begins: of the `last`, after impacts.
+/// The `next` evaluation of a step, with the rates of the rows for the velocity at the beginning of the step: those of `last`, after
+/// impacts.
 fn evaluated_again<S: Real, X, const N: usize>(
     last: &Motion<S, X, N>,
     mut next: Motion<S, X, N>,
@@ -204,7 +205,7 @@ fn evaluated_again<S: Real, X, const N: usize>(
     next
 }
 
-/// Counts what a step has done, and books its impacts.
+/// Counts the changes of modes in a step, and records its impacts.
 fn count<S: Real, U: Modal<S, N>, const N: usize>(
     u: &mut U,
     (stride, struck): (&Stride<S>, &Struck<S, N>),
@@ -225,14 +226,14 @@ fn count<S: Real, U: Modal<S, N>, const N: usize>(
     }
 }
 
-/// Moves positions on with the velocities for a time.
+/// Advances positions with the velocities for a time.
 fn drift<M: Rate>(time: M::S, x: &mut M::X) {
     for i in 0..M::NQ {
         x.set(i, time.mul_add(x.at(M::NQ + i), x.at(i)));
     }
 }
 
-/// (1) and (2), from the intermediate place; positions with corrections.
+/// Equations (1) and (2), from the intermediate place; positions with corrections.
 fn arrive<M: Rate, const N: usize>(
     (h, behind): (M::S, M::S),
     motion: &Motion<M::S, M::X, N>,
@@ -251,7 +252,7 @@ fn arrive<M: Rate, const N: usize>(
     }
 }
 
-/// A number, with what factors of the responses add to it.
+/// A number plus the responses times their factors.
 fn forced<S: Scalar, X: Vector<S>, const N: usize>(
     motion: &Motion<S, X, N>,
     i: usize,
@@ -262,7 +263,7 @@ fn forced<S: Scalar, X: Vector<S>, const N: usize>(
     terms.fold(number, |sum, (response, factor)| response.at(i).mul_add(*factor, sum))
 }
 
-/// The modes after a step, and where frictions began to stick.
+/// Modes after a step, and places at which frictions began to stick.
 fn modes<S: Real, const N: usize>(
     rows: &super::Rows<S, N>,
     (stride, problem): (&Stride<S>, &Problem<S, N>),

@@ -1,4 +1,4 @@
-//! Steps of several mechanisms side by side: the motion of all at once in packed numbers, then the small problems one by one.
+//! Time steps of several mechanisms side by side: the motion of all at once in packed numbers, then the contact problems one by one.
 
 use super::{Motion, Solution, Stride, drift, step_by};
 use crate::contact::loads::Load;
@@ -8,23 +8,23 @@ use crate::fault::Fault;
 use crate::system::{Health, Rate};
 use crate::vector::Vector;
 
-/// A step that one of several mechanisms is to make, with the arguments of [`step`](super::step).
+/// A step to be made for one of several mechanisms, with the arguments of [`step`](super::step).
 #[derive(Debug)]
 pub struct Proposed<'a, M: Rate> {
     /// The mechanism.
     pub system: &'a M,
-    /// The step of time.
+    /// The time step.
     pub stride: Stride<M::S>,
-    /// The discrete state; after the step that at its end.
+    /// Discrete state; after the step, that at its end.
     pub held: &'a mut M::U,
-    /// The state where the step begins; after it that at its end.
+    /// State at the beginning of the step; after the step, that at its end.
     pub x: &'a mut M::X,
-    /// What the step gives.
+    /// Result of the step.
     pub made: &'a mut Option<Result<Solution<M::S>, Fault>>,
 }
 
-/// Makes the steps that are proposed, to the bits of [`step`](super::step) with one evaluation. `stride` and `x` are the steps and states of all lanes as one,
-/// `motion` gives the motion of all at a time and a state, and `take` the value of a lane.
+/// Makes the steps that are proposed, with the bits of [`step`](super::step) with one evaluation. `stride` and `x` are the packed steps and
+/// states of all lanes, `motion` gives the motion of all at a time and a state, and `take` the value of a lane.
 pub fn packed_steps<M: Contacts<N>, P: Rate, const N: usize, const K: usize>(
     (stride, x): (&Stride<P::S>, &P::X),
     motion: impl FnOnce(P::S, &P::X) -> Motion<P::S, P::X, N>,
@@ -44,7 +44,7 @@ pub fn packed_steps<M: Contacts<N>, P: Rate, const N: usize, const K: usize>(
     }
 }
 
-/// The motion of one lane, with the signs of reactions that it holds itself.
+/// Motion of one lane, with the signs of reactions of its own discrete state.
 #[allow(clippy::inline_always, reason = "what is written is not copied")]
 #[inline(always)]
 fn of_lane<M: Contacts<N>, P: Rate, const N: usize>(

@@ -1,4 +1,5 @@
-//! The problem of a step: accelerations over it, complementary to the forces of the rows; and the way back of rows that hold.
+//! Contact problem of a time step: accelerations over it, complementary to the forces of the rows; and the correction of constraint
+//! rows.
 
 use super::Stride;
 use super::solver::{Rule, Solved, eliminate, solve};
@@ -6,20 +7,21 @@ use crate::contact::modes::{Mode, Modes};
 use crate::contact::rows::{Law, Rows, below};
 use crate::scalar::Real;
 
-/// A friction may stick at first if its rate is below this fraction of what accelerations give in a step.
+/// Rate, as a fraction of the change by accelerations in a step, below which a friction is assumed to stick at first.
 const NO_SLIP: f64 = 1e-9;
 
-/// Rows of a step. Their free accelerations become the changes of rates over the step that laws ask for, by its length.
+/// Rows of a step. Their free accelerations become the rates at the end of the step without contact forces over its length, with
+/// `slack`.
 pub(super) struct Problem<S, const N: usize> {
     rules: [Rule; N],
     guess: [Mode; N],
-    /// What of the free acceleration lets a gap close within the step.
+    /// Part of the free acceleration that allows a gap to close within the step.
     slack: [S; N],
     h: S,
 }
 
 impl<S: Real, const N: usize> Problem<S, N> {
-    /// Of the rows at the intermediate place, after impacts; `before` it they had these modes.
+    /// Problem of the rows at the intermediate place, after impacts; `before` are the modes before the step.
     pub(super) fn of(
         stride: &Stride<S>,
         (laws, exists): (&[Law<S>; N], &[bool; N]),
@@ -52,19 +54,19 @@ impl<S: Real, const N: usize> Problem<S, N> {
         problem
     }
 
-    /// Forces over the step.
+    /// Solves for the forces over the step.
     pub(super) fn solve(&self, rows: &Rows<S, N>) -> Solved<S, N> {
         solve(rows, &self.rules, self.guess)
     }
 
-    /// The rate of a row at the end of the step.
+    /// Rate of a row at the end of the step.
     pub(super) fn rate_at_end(&self, solved: &Solved<S, N>, i: usize) -> S {
         let i = below::<N>(i);
         self.h * (solved.acceleration[i] - self.slack[i])
     }
 }
 
-/// The mode that a friction begins with.
+/// First guess of the mode of a friction.
 fn slip<S: Real>(rate: S, none: S) -> Mode {
     if rate > none {
         Mode::Forwards
@@ -75,20 +77,20 @@ fn slip<S: Real>(rate: S, none: S) -> Mode {
     }
 }
 
-/// The displacement at the end of a step in which the row has no rate there: a parabola from the intermediate place.
+/// Displacement of a row at the end of a step if its rate there is zero: a parabola from the intermediate place.
 fn at_standstill<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize) -> S {
     let [_, after] = stride.parts();
     let i = below::<N>(i);
     rows.gap[i] - S::lit(0.5) * after * after * rows.bias[i]
 }
 
-/// The displacement of a row at the end of a step with a rate there.
+/// Displacement of a row at the end of a step with a rate there.
 pub(super) fn end<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>, i: usize, rate: S) -> S {
     let [_, after] = stride.parts();
     after.mul_add(rate, at_standstill(stride, rows, i))
 }
 
-/// How far rows that hold are from their places at the end of a step; a gap that closes there is in its place.
+/// Displacements of constraint rows from their places at the end of a step; zero for a gap that closes there.
 pub(super) fn away<S: Real, const N: usize>(
     stride: &Stride<S>,
     rows: &Rows<S, N>,
@@ -103,8 +105,8 @@ pub(super) fn away<S: Real, const N: usize>(
     })
 }
 
-/// Factors of the responses that lead rows which hold back by these displacements; none where there is nothing to lead back. The free
-/// accelerations of the rows are lost.
+/// Factors of the responses that correct these displacements of constraint rows; `None` if there are none. The free accelerations of
+/// the rows are overwritten.
 pub(super) fn lead_back<S: Real, const N: usize>(
     rows: &mut Rows<S, N>,
     modes: &[Mode; N],

@@ -1,4 +1,4 @@
-//! The step without rows of contact.
+//! Time step without contact rows.
 
 use super::{Solution, Stride, drift, predicted};
 use crate::fault::Fault;
@@ -6,7 +6,8 @@ use crate::scalar::Scalar;
 use crate::system::{Health, Rate};
 use crate::vector::Vector;
 
-/// (1) and (2) of this module without rows of contact; `rate` writes the rate at a time and state, once for each evaluation.
+/// Equations (1) and (2) of the time step without contact rows; `rate` writes the rate at a time and state, once for each
+/// evaluation.
 pub fn smooth_step<M: Rate, const EVALUATIONS: usize>(
     stride: &Stride<M::S>,
     x: &mut M::X,
@@ -26,7 +27,7 @@ pub fn smooth_step<M: Rate, const EVALUATIONS: usize>(
     drift::<M>(after, x);
 }
 
-/// [`smooth_step`] by the rate of a system; `after` follows it.
+/// Makes a [`smooth_step`] by the rate of a system, then calls `after`.
 ///
 /// # Errors
 /// Those of `after`.

@@ -1,9 +1,9 @@
-//! The small problem of a step: forces of rows, complementary to their accelerations, by a bounded number of rounds.
+//! Solver of the contact problem of a time step: forces complementary to accelerations, by a bounded number of rounds.
 //!
-//! A round solves the linear system of the rows that are active in given modes, and looks at every row: its force less its acceleration,
-//! `lambda D_ii - a_i`, tells in which mode it is to be in the next round. That is a semismooth Newton method on the natural map of the
-//! problem (M. Hintermüller, K. Ito, K. Kunisch, The primal-dual active set strategy as a semismooth Newton method, SIAM Journal on
-//! Optimization 13, 2002). From modes of the last step it mostly takes one round. Where rounds repeat, sweeps of projected Gauss-Seidel
+//! A round solves the linear system of the rows that are active in given modes, and checks every row: its force less its acceleration,
+//! `lambda D_ii - a_i`, determines its mode in the next round. This is a semismooth Newton method on the natural map of the problem
+//! (M. Hintermüller, K. Ito, K. Kunisch, The primal-dual active set strategy as a semismooth Newton method, SIAM Journal on Optimization
+//! 13, 2002). From the modes of the last step it mostly takes one round. If rounds do not converge, sweeps of projected Gauss-Seidel
 //! (V. Acary, B. Brogliato, Numerical Methods for Nonsmooth Dynamical Systems, 2008, section 13.7) give modes and forces.
 
 use crate::contact::candidates::is_off;
@@ -14,22 +14,22 @@ use crate::contact::rows::{Law, Limit, Rows, below, indices};
 use crate::scalar::Real;
 use crate::vector::Vector;
 
-/// Rounds in which every row may change its mode, and then such in which one row alone may: by the rows that exist, since arrays may have
-/// room for more.
+/// Number of rounds in which every row may change its mode, and of rounds after these in which one row alone may: by the rows that exist,
+/// since arrays may have room for more.
 #[inline]
 fn rounds<const N: usize>(rules: &[Rule; N]) -> [u32; 2] {
     let rows = rules.iter().filter(|rule| !matches!(rule, Rule::Absent(_))).count() as u32;
     [2 * rows + 2, 2 * rows]
 }
 
-/// Sweeps after these.
+/// Sweeps after these rounds.
 const SWEEPS: u32 = 32;
-/// A law is met if it is off by less than so many roundings of the terms of the acceleration.
+/// Error of a law, in roundings of the terms of the acceleration, below which it is satisfied.
 const ROUNDING: f64 = 64.0;
-/// A row whose pivot is smaller depends on others, beside a diagonal of one.
+/// Pivot below which a row depends on others, relative to a diagonal of one.
 const DEPENDENT: f64 = 1e-9;
 
-/// The same of a row that others hold, whose rate follows from theirs to the accuracy of its dependence.
+/// Relative error of a row that others carry: its rate follows from theirs to the accuracy of its dependence.
 const CARRIED: f64 = 1e-6;
 
 /// The law of a row in a step.
@@ -37,16 +37,16 @@ const CARRIED: f64 = 1e-6;
 pub(super) enum Rule {
     /// The row does not exist, or is out of reach.
     Absent(Mode),
-    /// A gap and its push.
+    /// A gap and its contact force.
     Gap,
     /// A friction.
     Friction,
-    /// Held, with a force of either sign.
+    /// A constraint, with a force of either sign.
     Constraint,
 }
 
 impl Rule {
-    /// Of a row.
+    /// Rule of a row.
     pub(super) fn of<S>(law: &Law<S>, exists: bool) -> Self {
         match (law, exists) {
             (Law::Unilateral { .. }, true) => Self::Gap,
@@ -63,22 +63,22 @@ impl Rule {
 pub(super) struct Solved<S, const N: usize> {
     pub(super) rules: [Rule; N],
     pub(super) modes: [Mode; N],
-    /// Others hold the row.
+    /// True for rows that others carry.
     pub(super) carried: [bool; N],
-    /// By reaction that bounds frictions: it is negative.
+    /// By reaction that bounds frictions: true if it is negative.
     pub(super) negative: [bool; N],
     pub(super) lambda: [S; N],
     pub(super) acceleration: [S; N],
-    /// The largest acceleration by which a law is not met.
+    /// Largest acceleration by which a law is violated.
     pub(super) residual: S,
     pub(super) rounds: u32,
 }
 
-/// What a round tells of its modes.
+/// Result of a round.
 struct Seen<S, const N: usize> {
     solved: Solved<S, N>,
     next: [Mode; N],
-    /// Every law is met.
+    /// True if every law is satisfied.
     is_met: bool,
 }
 
@@ -90,7 +90,7 @@ pub(super) fn solve<S: Real, const N: usize>(
 ) -> Solved<S, N> {
     let (mut modes, mut lambda) = (without_force(rows, rules, guess), [S::ZERO; N]);
     if modes.iter().all(|mode| !(mode.holds() || mode.slips())) {
-        // A gap whose free acceleration closes it would not be open.
+        // A gap whose free acceleration closes it would not have the mode open.
         let (carried, negative) = ([false; N], [false; N]);
         let (acceleration, residual, rounds) = (rows.free, S::ZERO, 0);
         return Solved { rules: *rules, modes, carried, negative, lambda, acceleration, residual, rounds };
@@ -119,7 +119,7 @@ pub(super) fn solve<S: Real, const N: usize>(
     swept(rows, rules, best, &lambda)
 }
 
-/// Sweeps, and a round with the modes that they lead to; the best of all that is known.
+/// Sweeps, and a round with the modes that they lead to; returns the best of all results.
 #[cold]
 #[inline(never)]
 fn swept<S: Real, const N: usize>(
@@ -133,7 +133,7 @@ fn swept<S: Real, const N: usize>(
     for _ in 0..SWEEPS {
         for i in 0..N {
             let own = rows.delassus[i][i];
-            // False for what is not a number.
+            // False for NaN.
             let has_direction = own > S::ZERO;
             if matches!(rules[i], Rule::Absent(_)) || !has_direction {
                 lambda[i] = S::ZERO;
@@ -165,7 +165,7 @@ fn swept<S: Real, const N: usize>(
     least
 }
 
-/// Solves the system of the active rows in these modes.
+/// Solves the system of the active rows in these modes, and checks every row.
 fn round<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     rules: &[Rule; N],
@@ -177,14 +177,14 @@ fn round<S: Real, const N: usize>(
     let mut seen = look(rows, rules, (modes, number), lambda, &dropped);
     for i in 0..N {
         if dropped[i] {
-            // It rests, and has no force of its own.
+            // The row is at rest, and has no force of its own.
             seen.solved.modes[i] = if rules[i] == Rule::Gap { Mode::Open } else { Mode::Off };
         }
     }
     seen
 }
 
-/// Looks at every row.
+/// Checks every row.
 fn look<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     rules: &[Rule; N],
@@ -217,7 +217,7 @@ fn look<S: Real, const N: usize>(
             }
         };
         let off = (force - within).abs();
-        // False for what is not a number.
+        // False for NaN.
         let none = if dropped[i] { S::lit(CARRIED) } else { S::lit(ROUNDING) * S::EPSILON };
         let is_rounding = off <= none * size(rows, i, &lambda);
         is_met &= is_rounding;
@@ -228,14 +228,14 @@ fn look<S: Real, const N: usize>(
     Seen { solved, next, is_met }
 }
 
-/// The terms of an acceleration.
+/// Size of the terms of an acceleration.
 fn size<S: Real, const N: usize>(rows: &Rows<S, N>, i: usize, lambda: &[S; N]) -> S {
     let i = below::<N>(i);
     let terms = rows.delassus[i].iter().zip(lambda);
     terms.fold(rows.free[i].abs(), |sum, (d, lambda)| (*d * *lambda).abs() + sum)
 }
 
-/// Frictions that cannot have a force in these modes are off; others are not.
+/// Sets frictions to off that cannot have a force in these modes, and the others to another mode.
 fn without_force<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     rules: &[Rule; N],
@@ -254,7 +254,7 @@ fn without_force<S: Real, const N: usize>(
     modes
 }
 
-/// The unit vector e with |R| = e . R of a reaction that bounds frictions.
+/// Unit vector e with |R| = e . R of a reaction that bounds frictions.
 fn direction<S: Real, const N: usize>(rows: &Rows<S, N>, load: usize, lambda: &[S; N]) -> [S; 2] {
     match rows.load[below::<N>(load)] {
         Load::Nothing => [S::ZERO; 2],
@@ -265,19 +265,19 @@ fn direction<S: Real, const N: usize>(rows: &Rows<S, N>, load: usize, lambda: &[
     }
 }
 
-/// A reaction is negative along its line, or in its first component.
+/// True if a reaction is negative along its line, or in its first component.
 fn is_negative<S: Real, const N: usize>(rows: &Rows<S, N>, load: usize, lambda: &[S; N]) -> bool {
     let load = below::<N>(load);
     rows.load[load] != Load::Nothing && rows.reaction[load][0].at(lambda) < S::ZERO
 }
 
-/// The size |R| of a reaction that bounds frictions.
+/// Size |R| of a reaction that bounds frictions.
 fn size_of_reaction<S: Real, const N: usize>(rows: &Rows<S, N>, load: usize, lambda: &[S; N]) -> S {
     let ([x, y], [along, across]) = (rows.reaction_at(load, lambda), direction(rows, load, lambda));
     x * along + y * across
 }
 
-/// The largest forces of a friction backwards and forwards: static on the sides to which it does not slip.
+/// Largest forces of a friction backwards and forwards: static on the sides to which it does not slip.
 fn limits<S: Real, const N: usize>(rows: &Rows<S, N>, (mode, i): (Mode, usize), lambda: &[S; N]) -> [S; 2] {
     let i = below::<N>(i);
     let (kinetic, adhesion) = (&rows.kinetic[i], &rows.adhesion[i]);
@@ -292,7 +292,8 @@ fn limits<S: Real, const N: usize>(rows: &Rows<S, N>, (mode, i): (Mode, usize), 
     [limit(lower), limit(upper)]
 }
 
-/// Gaussian elimination of the active rows, in their order, without those that depend on others: forces, and which these are.
+/// Gaussian elimination of the active rows, in their order, without those that depend on others; returns the forces, and marks these
+/// rows.
 pub(super) fn eliminate<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     modes: &[Mode; N],
@@ -308,7 +309,7 @@ pub(super) fn eliminate<S: Real, const N: usize>(
     let least = S::lit(DEPENDENT).max(S::lit(ROUNDING) * S::EPSILON);
     let mut used = active;
     for k in 0..N {
-        // Not used where it is not a number, as where a row has no direction.
+        // False for NaN, as for a row without direction.
         used[k] &= matrix[k][k].abs() > least;
         if !used[k] {
             continue;
@@ -340,7 +341,7 @@ mod tests {
     use super::*;
     use crate::contact::random::{bits, contacts, filled, number, with_room};
 
-    /// Of rows that depend on each other, rounds that repeat have an end: it does not depend on the size of arrays.
+    /// The number of rounds for dependent rows is bounded, and does not depend on the size of arrays.
     #[test]
     fn room_for_more_rows_changes_no_bit() {
         let (mut state, mut repeated) = (114, 0);

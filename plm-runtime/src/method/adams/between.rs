@@ -1,10 +1,10 @@
 //! The state over the last step, from the polynomial through the rates that led to it.
 //!
-//! Its degree is up to 14, that of a [`Path`] 8: what is beyond is the remainder of a division by a polynomial of degree 9,
-//! which interpolates at that one's zeros: both ends, twice, so that states and rates there stay, and between them those of
-//! Chebyshev's polynomial of the second kind. Of x^9 it leaves 6e-5 at most, of x^14 7e-3. The coefficients themselves
-//! are small there: a method of order k has steps over which the derivative of order k changes the rate by about
-//! the tolerance, and a term of x^m has the factor 1/m!.
+//! Its degree is up to 14, that of a [`Path`] is 8. The path is the remainder of a division by a polynomial of degree 9, so
+//! that it interpolates at the zeros of the divisor: both ends, twice, so that states and rates there stay, and between
+//! them the zeros of Chebyshev's polynomial of the second kind. For x^9 its error is at most 6e-5, for x^14 7e-3. The
+//! coefficients themselves are small there: a method of order k has steps over which the derivative of order k changes the
+//! rate by about the tolerance, and a term of x^m has the factor 1/m!.
 
 use super::MOST;
 use super::coefficients::Coefficients;
@@ -16,10 +16,10 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Powers of a polynomial that is integrated twice.
+/// Number of powers of a polynomial that is integrated twice.
 const LONG: usize = MOST + 3;
 
-/// The polynomial that is divided by, theta^9 less these powers of theta.
+/// Divisor: theta^9 less these powers of theta.
 const DIVISOR: [f64; POWERS] = {
     // Zeros 0, 0, 1, 1, 1/2, 1/4, 3/4, and (2 - sqrt(3))/4 with (2 + sqrt(3))/4, whose sum is 1 and whose product is 1/16.
     let (mut p, mut degree) = ([0.0; POWERS + 1], 2);
@@ -46,7 +46,7 @@ const DIVISOR: [f64; POWERS] = {
     less
 };
 
-/// The path over a step of order k, through both its ends; `rows` gives phi_1 to phi_(k+1).
+/// Path over a step of order k, through both its ends; `differences` has phi_1 to phi_(k+1).
 pub(super) fn path<M: System<S: Real>>(
     span: &Span<M::S, M::X>,
     differences: &Differences<M>,
@@ -79,7 +79,7 @@ pub(super) fn path<M: System<S: Real>>(
     Path { start: span.time, h, coefficients }
 }
 
-/// Integrals begin with the state; of coordinates, with the velocity too.
+/// Begins the integrals with the state, and those of coordinates with the velocity too.
 fn begin<S: Real, X: Vector<S>>(powers: &mut [X; POWERS], span: &Span<S, X>, coordinates: usize) {
     powers[0] = span.from;
     for q in 0..coordinates {
@@ -87,7 +87,7 @@ fn begin<S: Real, X: Vector<S>>(powers: &mut [X; POWERS], span: &Span<S, X>, coo
     }
 }
 
-/// Leads the path to the state at the end and its rate, by the cubic of C. Hermite through what is missing.
+/// Corrects the path to the state at the end and its rate, by the cubic of C. Hermite for the differences.
 fn end<S: Real, X: Vector<S>>(powers: &mut [X; POWERS], span: &Span<S, X>) {
     let (two, three) = (S::lit(2.0), S::lit(3.0));
     for l in 0..X::LEN {
@@ -101,7 +101,7 @@ fn end<S: Real, X: Vector<S>>(powers: &mut [X; POWERS], span: &Span<S, X>) {
     }
 }
 
-/// The integral from zero; no power is lost as long as the highest is none.
+/// Integral from zero. The highest power must be zero, so that none is lost.
 fn integral<S: Real>(p: &[S; LONG]) -> [S; LONG] {
     Vector::from_fn(|m| if m == 0 { S::ZERO } else { p[m - 1] / S::lit(m as f64) })
 }
@@ -114,7 +114,7 @@ fn times<S: Real>(p: &[S; LONG], shift: S, factor: S) -> [S; LONG] {
     })
 }
 
-/// The remainder of a division by theta^9 - `DIVISOR`.
+/// Remainder of a division by theta^9 - `DIVISOR`.
 fn reduced<S: Real>(mut p: [S; LONG]) -> [S; POWERS] {
     for top in (POWERS..LONG).rev() {
         let highest = p[top];
@@ -130,7 +130,7 @@ fn reduced<S: Real>(mut p: [S; LONG]) -> [S; POWERS] {
 mod tests {
     use super::*;
 
-    /// What interpolates at zeros is the same there; at the ends its slope is too.
+    /// The remainder agrees with the power at the zeros of the divisor; at the ends its slope agrees too.
     #[test]
     fn high_powers_are_replaced_by_what_interpolates_them() {
         let root = f64::sqrt(3.0);

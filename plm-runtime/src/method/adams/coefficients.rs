@@ -1,14 +1,14 @@
-//! The coefficients of steps of variable length (Shampine and Gordon, chapter 5, and the program STEP of chapter 10).
+//! Coefficients of steps of variable length (Shampine and Gordon, chapter 5, and the program STEP of chapter 10).
 
 use super::MOST;
 use crate::scalar::Real;
 use crate::vector::Vector;
 
-/// Entries are numbered from 1, as in the book.
+/// Length of the arrays; entries are numbered from 1, as in the book.
 const ROOM: usize = MOST + 3;
 
 /// gamma*_i, the coefficients of the Adams-Moulton formulas of equal steps, i from 0 (Hairer, Nørsett, Wanner I, III.1,
-/// eq. (1.10)): gamma*_m + gamma*_(m-1) / 2 + ... + gamma*_0 / (m + 1) = 0 but for m = 0.
+/// eq. (1.10)): gamma*_m + gamma*_(m-1) / 2 + ... + gamma*_0 / (m + 1) = 0 except for m = 0.
 pub(super) const EQUAL_STEPS: [f64; ROOM] = {
     let mut gamma = [0.0; ROOM];
     gamma[0] = 1.0;
@@ -24,28 +24,28 @@ pub(super) const EQUAL_STEPS: [f64; ROOM] = {
     gamma
 };
 
-/// What the lengths of the last steps make of the next one.
+/// Coefficients of the next step, from the lengths of the last ones.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Coefficients<S> {
     /// psi_i, the length of the last i steps, s.
     pub(super) psi: [S; ROOM],
     /// alpha_i = h / psi_i.
     pub(super) alpha: [S; ROOM],
-    /// By these the differences of the last step become those of the next.
+    /// Factors by which the differences of the last step become those of the next.
     pub(super) beta: [S; ROOM],
     /// sigma_i, by which error estimates differ from those of equal steps.
     pub(super) sigma: [S; ROOM],
-    /// Of the integral over the step, g_(i,1).
+    /// Coefficients of the integral over the step, g_(i,1).
     pub(super) once: [S; ROOM],
-    /// Of the double integral over the step, g_(i,2): what accelerations do to coordinates.
+    /// Coefficients of the double integral over the step, g_(i,2): the effect of accelerations on coordinates.
     pub(super) twice: [S; ROOM],
-    /// The row of integrals g_(i,q), over q, from which the next step's begin.
+    /// Row of integrals g_(i,q), over q, from which those of the next step begin.
     pub(super) kept: [S; ROOM],
-    /// The length of the last step, s.
+    /// Length of the last step, s.
     pub(super) last: S,
-    /// The order of the last step.
+    /// Order of the last step.
     pub(super) order: usize,
-    /// How many steps in a row have the same length.
+    /// Number of successive steps of one length.
     pub(super) equal: usize,
 }
 
@@ -72,7 +72,7 @@ impl<S: Real> Coefficients<S> {
         }
     }
 
-    /// For a step of `h` and an order. Nothing is computed where more steps than that had this length.
+    /// Prepares a step of `h` and an order. Nothing is computed if more steps than the order have this length.
     pub(super) fn prepare(&mut self, h: S, order: usize) {
         if h != self.last {
             self.equal = 0;
@@ -106,7 +106,8 @@ impl<S: Real> Coefficients<S> {
         self.psi.set(order, length);
     }
 
-    /// The integrals, by a triangle of which one row is kept; it is one longer than in STEP, for the double integrals.
+    /// The integrals, by a triangle of which one row is stored; it is one longer than in STEP, for the double
+    /// integrals.
     fn integrals(&mut self, order: usize) {
         let of_equal = |q: usize| S::lit(1.0 / (q * (q + 1)) as f64);
         let (equal, longest) = (self.equal, order + 1);
@@ -139,7 +140,7 @@ impl<S: Real> Coefficients<S> {
         }
     }
 
-    /// The last step of `h` is not made: the lengths are those before it.
+    /// Takes back the last step, of `h`: the lengths become those before it.
     pub(super) fn take_back(&mut self, h: S) {
         for i in 2..=self.order {
             self.psi.set(i - 1, self.psi.at(i) - h);
@@ -165,8 +166,8 @@ mod tests {
         sums
     }
 
-    /// Their definition: integrals of c_i(s), the product of (s h + psi_(j-1)(n)) / psi_j(n+1) over j < i (Shampine and
-    /// Gordon, chapter 5, eq. (7)).
+    /// Compares with their definition: integrals of c_i(s), the product of (s h + psi_(j-1)(n)) / psi_j(n+1) over j < i
+    /// (Shampine and Gordon, chapter 5, eq. (7)).
     fn agrees(by: &Coefficients<f64>, order: usize, times: &[f64], h: f64) {
         let psi = |j: usize| times[times.len() - 1] - times[times.len() - 1 - j];
         for i in 1..=order + 1 {
@@ -178,7 +179,7 @@ mod tests {
         }
     }
 
-    /// The order grows by one a step to 12, falls, and grows again, while lengths stay and change.
+    /// The order grows by one a step to 12, falls, and grows again, while lengths are constant or change.
     #[test]
     fn integrals_are_those_of_their_definition() {
         let lengths = |step: usize| match step {

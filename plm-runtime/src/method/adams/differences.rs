@@ -1,4 +1,4 @@
-//! The modified divided differences of the rates (Shampine and Gordon, chapter 5, eq. (8), and the program STEP).
+//! Modified divided differences of the rates (Shampine and Gordon, chapter 5, eq. (8), and the program STEP).
 //!
 //! Coordinates have none: their rates are the velocities, and both follow from the same accelerations.
 
@@ -8,18 +8,19 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// phi_1 to phi_(k+2) for steps of order k. What an accepted step adds to all of them is added with the next prediction.
+/// phi_1 to phi_(k+2) for steps of order k. The difference that an accepted step adds to all of them is added with the
+/// next prediction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Differences<M: System> {
     pub(super) rows: [M::X; MOST + 2],
-    /// The last difference: it is still to be added.
+    /// Last difference, which is still to be added.
     pub(super) last: M::X,
-    /// To so many rows.
+    /// Number of rows to which it is still to be added.
     pub(super) due: usize,
 }
 
 impl<M: System<S: Real>> Differences<M> {
-    /// Of nothing but the present rate.
+    /// Differences of the present rate alone.
     pub(super) fn new(rate: M::X) -> Self {
         let mut rows = [M::X::fill(M::S::ZERO); MOST + 2];
         rows[0] = rate;
@@ -36,7 +37,7 @@ impl<M: System<S: Real>> Differences<M> {
         self.rows.get(i - 1).copied().unwrap_or(self.last)
     }
 
-    /// The state at the end of a step of `h` from `x`, by the polynomial through the last rates.
+    /// State at the end of a step of `h` from `x`, by the polynomial through the last rates.
     pub(super) fn predict(
         &mut self,
         (x, h): (&M::X, M::S),
@@ -73,12 +74,13 @@ impl<M: System<S: Real>> Differences<M> {
         })
     }
 
-    /// What the rate at the predicted state says beyond the prediction.
+    /// Difference of the rate at the predicted state from the predicted rate.
     pub(super) fn surprise(&self, rate: &M::X) -> M::X {
         rate.map2(&self.rows[0], |rate, predicted| rate - predicted)
     }
 
-    /// Sums of squares over components of `surprise` beside row k - 1, beside row k, and alone, each by its weight.
+    /// Sums of squares over components: of `surprise` plus row k - 1, of `surprise` plus row k, and of `surprise`; each
+    /// by its weight.
     pub(super) fn sizes(&self, surprise: &M::X, weight: &M::X, order: usize) -> [M::S; 3] {
         let zero = M::X::fill(M::S::ZERO);
         let row = |i: usize| order.checked_sub(i).and_then(|i| self.rows.get(i)).unwrap_or(&zero);
@@ -94,7 +96,7 @@ impl<M: System<S: Real>> Differences<M> {
         sums
     }
 
-    /// The step is accepted; this is the rate at its end.
+    /// Accepts the step; `rate` is that at its end.
     pub(super) fn accept(&mut self, rate: &M::X, order: usize) {
         self.last = self.surprise(rate);
         let mut rows = self.rows.iter_mut().skip(order);
@@ -114,7 +116,7 @@ impl<M: System<S: Real>> Differences<M> {
         })
     }
 
-    /// The last prediction is taken back: the differences at the beginning of its step.
+    /// Takes back the last prediction: the differences become those at the beginning of its step.
     pub(super) fn take_back(&mut self, order: usize, coefficients: &Coefficients<M::S>) {
         let zero = M::X::fill(M::S::ZERO);
         for i in 0..order.min(MOST) {

@@ -1,4 +1,4 @@
-//! Adams' formulas of variable order and step, predicted, evaluated, corrected, evaluated.
+//! Adams' formulas of variable order and step: prediction, evaluation, correction, evaluation.
 
 mod between;
 mod coefficients;
@@ -18,57 +18,57 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
 use crate::vector::Vector;
 
-/// The highest order of a prediction; a correction has one more.
+/// Highest order of a prediction; a correction has one more.
 const MOST: usize = 12;
 
-/// Adams' formulas of order 1 to 13, which the errors choose with the steps: two evaluations a step, for long smooth runs of
-/// large mechanisms (L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975).
+/// Adams' formulas of order 1 to 13, with order and steps chosen by the errors: two evaluations a step, for long smooth runs of large
+/// mechanisms (L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975).
 ///
-/// Accelerations are integrated twice for coordinates (F. T. Krogh, SIAM J. Numer. Anal. 5, 1968): so only they and the
-/// rates of first-order states are remembered. A run begins with order 1, and so it does again wherever rates jump. The error norm and
-/// what is done about drift are those of [`Embedded`](super::Embedded).
+/// Accelerations are integrated twice for coordinates (F. T. Krogh, SIAM J. Numer. Anal. 5, 1968), so that only they and the rates of
+/// first-order states are stored. A run begins with order 1, and so it does again wherever rates jump. The error norm and the
+/// treatment of drift are those of [`Embedded`](super::Embedded).
 #[derive(Clone, Copy, Debug)]
 pub struct Adams<M: System> {
     /// Relative tolerance; the absolute one of each state is this times its typical size.
     pub rtol: M::S,
     /// Longest step, s.
     pub longest_step: M::S,
-    /// Accepted and rejected steps that one interval may take.
+    /// Most accepted and rejected steps in one interval.
     pub most_steps: u64,
-    /// What is known of the rates before.
+    /// Data of the earlier rates.
     past: Past<M>,
-    /// Nothing is, at the beginning and after something was changed.
+    /// True if there are none: at the beginning and after a change.
     forgotten: bool,
-    /// The last step; none where its states have other numbers now.
+    /// Last step; `None` if its angles differ by revolutions from those of the state.
     span: Option<Span<M::S, M::X>>,
     path: Option<Path<M::S, M::X>>,
     projection: Projection<M::S>,
-    /// The error decided how long the last step was.
+    /// True if the error decided the length of the last step.
     by_error: bool,
 }
 
-/// The past of a run.
+/// History of a run.
 #[derive(Clone, Copy, Debug)]
 struct Past<M: System> {
     differences: Differences<M>,
     coefficients: Coefficients<M::S>,
-    /// The order of the last step.
+    /// Order of the last step.
     made: usize,
-    /// Order and length of the next.
+    /// Order and length of the next step.
     next: Next<M::S>,
-    /// Order and step still grow from the first ones.
+    /// True while order and step still grow from the first ones.
     begins: bool,
-    /// Rejections since a step was accepted.
+    /// Rejections since the last accepted step.
     rejected: u32,
 }
 
 /// A step that may be accepted.
 struct Trial<M: System> {
-    /// The state at its end.
+    /// State at its end.
     x: M::X,
     errors: Errors<M::S>,
     weight: M::X,
-    /// How many velocities and first-order states it has.
+    /// Number of its velocities and first-order states.
     count: M::S,
     drift: M::S,
 }
@@ -82,7 +82,7 @@ impl<M: System<S: Real>> Default for Adams<M> {
 builders!([M: System<S: Real>] Adams<M>);
 
 impl<M: System<S: Real>> Adams<M> {
-    /// With the relative tolerance `rtol` (not below what the scalar can resolve).
+    /// Adams' formulas with the relative tolerance `rtol` (at least the resolution of the scalar).
     pub fn new(rtol: M::S) -> Self {
         Self {
             rtol,
@@ -97,12 +97,12 @@ impl<M: System<S: Real>> Adams<M> {
         }
     }
 
-    /// The order of the formula that the last step was corrected by; none before the first.
+    /// Order of the formula that corrected the last step; `None` before the first.
     pub fn order(&self) -> Option<usize> {
         (self.past.made > 0).then_some(self.past.made + 1)
     }
 
-    /// What is known at the state reached, where nothing is kept.
+    /// Starts the history at the state reached.
     #[cold]
     fn begin_anew(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         let x = context.x;
@@ -117,7 +117,7 @@ impl<M: System<S: Real>> Adams<M> {
         Ok(())
     }
 
-    /// One step without a decision.
+    /// Makes one step without a decision.
     fn trial(&mut self, context: &mut Context<'_, M>, h: M::S) -> Result<Trial<M>, Fault> {
         let tolerance = self.tolerance();
         let Past { differences, coefficients: by, next: Next { order: k, .. }, .. } = &mut self.past;
@@ -141,7 +141,7 @@ impl<M: System<S: Real>> Adams<M> {
         Ok(Trial { x, errors, weight, count, drift })
     }
 
-    /// The state at the end of an accepted step and its rate, projected if the drift asks for it or the step went by rank.
+    /// State and rate at the end of an accepted step, projected if it has drifted or the step went by rank.
     fn arrive(
         &mut self,
         context: &mut Context<'_, M>,
@@ -159,7 +159,7 @@ impl<M: System<S: Real>> Adams<M> {
         Ok((x, rate))
     }
 
-    /// Remembers an accepted step of `h`, which might have been as long as `wanted`, and plans the next.
+    /// Stores an accepted step of `h`, which might have been as long as `wanted`, and plans the next one.
     fn partition(&mut self, trial: &Trial<M>, rate: &M::X, (h, wanted): (M::S, M::S)) {
         let Past { differences, coefficients: by, next, begins, .. } = &mut self.past;
         let k = next.order;
@@ -169,12 +169,12 @@ impl<M: System<S: Real>> Adams<M> {
             Errors::one_more(h, mean.sqrt(), k)
         });
         *next = order::next(&trial.errors, one_more, (k, h), begins, by.equal);
-        // A step that was cut to hit the end says little of the next one; but none grows by more than twice.
+        // A step that was cut to reach the end tells little about the next one; but none grows by more than twice.
         next.h = if h < wanted { next.h.max(wanted.min(h + h)) } else { next.h };
         (self.past.made, self.past.rejected) = (k, 0);
     }
 
-    /// The state with the largest error, each by itself over its size, which is at least typical.
+    /// State with the largest error, each relative to its size, which is at least typical.
     #[cold]
     fn largest_error(&self, system: &M, x: &M::X) -> Option<usize> {
         let typical = system.typical();
@@ -184,7 +184,7 @@ impl<M: System<S: Real>> Adams<M> {
             .0
     }
 
-    /// A fault that names the part of the state with the largest error, where it names none.
+    /// The fault, with the part of the state with the largest error if it names none.
     #[cold]
     fn named(&self, context: &Context<'_, M>, fault: Fault) -> Fault {
         let worst =
@@ -205,14 +205,14 @@ impl<M: System<S: Real>> Past<M> {
         }
     }
 
-    /// The last prediction is taken back.
+    /// Takes back the last prediction.
     fn take_back(&mut self, order: usize, h: M::S) {
         self.differences.take_back(order, &self.coefficients);
         self.coefficients.take_back(h);
         self.begins = false;
     }
 
-    /// Takes back a step of `h` and plans a shorter one; one that fails again and again begins with order 1.
+    /// Takes back a step of `h` and plans a shorter one, after repeated failures with order 1.
     fn reject(&mut self, h: M::S, errors: Option<&Errors<M::S>>) {
         let order = self.next.order;
         self.take_back(order, h);
@@ -307,7 +307,7 @@ impl<M: System<S: Real> + Copy> ErrorControl<M> for Adams<M> {
 impl<M: System<S: Real> + Copy> FixedLength<M> for Adams<M> {}
 
 impl<M: System<S: Real> + Copy> Adams<M> {
-    /// Steps until one is accepted.
+    /// Makes steps until one is accepted.
     fn accepted(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         let (from, start) = (context.x, self.past.differences.at(1));
         let rate_from = M::X::from_fn(|i| if i < M::NQ { from.at(M::NQ + i) } else { start.at(i) });
@@ -317,7 +317,7 @@ impl<M: System<S: Real> + Copy> Adams<M> {
             let (before, one) = (context.stats.by_rank, M::S::lit(1.0));
             let attempt = self.trial(context, h);
             let mut failed = None;
-            // What is not a number is not below.
+            // NaN is not below.
             if let Some(trial) =
                 attempt.as_ref().ok().filter(|trial| trial.errors.made <= one && trial.drift <= one)
             {
@@ -341,7 +341,7 @@ impl<M: System<S: Real> + Copy> Adams<M> {
     }
 }
 
-/// The weight of an error in each rate over a step of `h`: what it does to velocities, or to coordinates.
+/// Weight of an error in each rate over a step of `h`, by its effect on velocities or on coordinates.
 fn weight<M: System<S: Real>>(context: &Context<'_, M>, rtol: M::S, h: M::S) -> M::X {
     let (typical, x) = (context.system.typical(), &context.x);
     let size = |i: usize| rtol * (typical.at(i) + x.at(i).abs());

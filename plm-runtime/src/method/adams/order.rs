@@ -5,17 +5,17 @@ use super::coefficients::{Coefficients, EQUAL_STEPS};
 use crate::scalar::Real;
 use crate::vector::Vector;
 
-/// Estimates of the error that a step has, as multiples of the tolerance.
+/// Estimates of the error of a step, as multiples of the tolerance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Errors<S> {
-    /// Of the step.
+    /// Error of the step.
     pub(super) made: S,
-    /// Had it been made by the order k - 2, k - 1, k, with steps of equal length.
+    /// Errors if it had been made with the order k - 2, k - 1, k, and steps of equal length.
     by_order: [S; 3],
 }
 
 impl<S: Real> Errors<S> {
-    /// From the root mean squares of differences k - 1, k, and k + 1 of the rate.
+    /// Errors from the root mean squares of differences k - 1, k, and k + 1 of the rate.
     pub(super) fn new(h: S, [below, top, surprise]: [S; 3], k: usize, by: &Coefficients<S>) -> Self {
         let Coefficients { once, sigma, .. } = by;
         let equal = |order: usize| S::lit(EQUAL_STEPS.at(order)).abs();
@@ -30,12 +30,12 @@ impl<S: Real> Errors<S> {
         }
     }
 
-    /// Of the step, had it been made by the order k + 1, from the root mean square of difference k + 2 of the rate.
+    /// Error of the step if it had been made with the order k + 1, from the root mean square of difference k + 2 of the rate.
     pub(super) fn one_more(h: S, difference: S, k: usize) -> S {
         h * S::lit(EQUAL_STEPS.at(k + 1)).abs() * difference
     }
 
-    /// Would one order less do?
+    /// True if one order less suffices.
     pub(super) fn asks_for_less(&self, k: usize) -> bool {
         let [two_less, one_less, this] = self.by_order;
         match k {
@@ -46,20 +46,20 @@ impl<S: Real> Errors<S> {
     }
 }
 
-/// By how much a step grows at least.
+/// Least factor by which a step grows.
 const PAYS: f64 = 1.1;
-/// The error that a step grows to.
+/// Error to which a step grows, as a multiple of the tolerance.
 const GROWS_TO: f64 = 0.25;
 
-/// What the next step is to be.
+/// Order and length of the next step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Next<S> {
     pub(super) order: usize,
     pub(super) h: S,
 }
 
-/// After an accepted step of `h`: order and length; `one_more` estimates the error by the order k + 1, where it can be. While a run
-/// begins both grow with every step.
+/// Order and length of the step after an accepted one of `h`; `one_more` estimates the error with the order k + 1, if possible.
+/// While a run begins both grow with every step.
 pub(super) fn next<S: Real>(
     errors: &Errors<S>,
     one_more: Option<S>,
@@ -84,7 +84,7 @@ pub(super) fn next<S: Real>(
             _ => (k, this),
         }
     };
-    // Coefficients are computed as long as lengths change: steps grow when all of an order have been equal, and by what pays.
+    // Changes of length cost coefficients: a step grows only after as many equal steps as its order, and only by a tenth or more.
     let grown = |by: S| (0..=order).fold(error, |error, _| by * error);
     let factor = if grown(S::lit(2.0)) <= half {
         S::lit(2.0)
@@ -98,7 +98,7 @@ pub(super) fn next<S: Real>(
     Next { order, h: factor * h }
 }
 
-/// How many times longer a step can be until its error comes to `goal`.
+/// Factor by which a step can grow until its error reaches `goal`.
 fn grows_by<S: Real>(order: usize, error: S, goal: S) -> S {
     let error = error.max(S::lit(1e-10));
     ((goal / error).ln() / S::lit((order + 1) as f64)).exp()

@@ -5,7 +5,7 @@ use crate::scalar::Real;
 use crate::system::System;
 use crate::words::{InWords, Words};
 
-/// The options, and all that decides the next step. Not the last step, which serves states within it.
+/// Options, and all data that decide the next step; without the last step, which serves states within it.
 impl<M: System<S: Real>> InWords for Adams<M> {
     fn each(&mut self, words: &mut impl Words) {
         words.numbers([&mut self.rtol, &mut self.longest_step]);
@@ -36,7 +36,7 @@ impl<M: System<S: Real>> InWords for Past<M> {
         words.number(&mut next.h);
         words.flag(begins);
         words.count(rejected);
-        // Whatever was read, no row is looked for beyond the last.
+        // Whatever was read, no row is accessed beyond the last.
         differences.due = differences.due.min(MOST + 2);
         (by.order, by.equal) = (by.order.min(MOST), by.equal.min(MOST + 1));
         (*made, next.order) = ((*made).min(MOST), next.order.clamp(1, MOST));

@@ -1,4 +1,5 @@
-//! The order conditions that quadrature and the stages' own orders give (Hairer, Nørsett, Wanner I, II.1, II.5).
+//! Order conditions that follow from quadrature and from the stages' own orders (Hairer, Nørsett, Wanner I,
+//! II.1, II.5).
 
 use super::tableau::*;
 
@@ -15,7 +16,7 @@ fn moment(weights: &[f64], stages: &[usize], q: i32) -> f64 {
     weights.iter().zip(stages).map(|(weight, stage)| weight * C[*stage].powi(q)).sum()
 }
 
-/// A stage, its row, and the stages of it.
+/// A stage, its row, and the stages of the row.
 type Row = (usize, &'static [f64], &'static [usize]);
 
 const ROWS: [Row; 14] = [

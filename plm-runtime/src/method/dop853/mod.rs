@@ -8,8 +8,7 @@ mod tableau;
 use self::tableau::*;
 use super::embedded::{Embedded, Limits, pair};
 
-/// Dormand-Prince 8(5,3): steps of order 8 in twelve evaluations, dense output of order 7 in three more where it is
-/// asked for.
+/// Dormand-Prince 8(5,3): steps of order 8 in twelve evaluations, dense output of order 7 in three more if it is requested.
 pub type Dop853<M> = Embedded<M, DormandPrince853>;
 
 pair! {
@@ -17,10 +16,10 @@ pair! {
     /// II.5, II.6, and their program DOP853).
     DormandPrince853 {
         name: "Dop853", order: 8, rates: 11,
-        /// As dear as Dormand-Prince 5(4) at 1e-8, and a hundred times as accurate.
+        /// As expensive as Dormand-Prince 5(4) at 1e-8, and a hundred times as accurate.
         rtol: 1e-9,
-        /// The authors' but for the safety, theirs is 0.9: with that up to a third of the steps is rejected, which costs the
-        /// double pendulum, a four-bar and a slider-crank a third more evaluations to an error of 1e-10.
+        /// The authors' values except for the safety, theirs is 0.9: with that up to a third of the steps is rejected, which
+        /// costs the double pendulum, a four-bar and a slider-crank a third more evaluations for an error of 1e-10.
         limits: Limits { safety: 0.7, exponent: 0.125, memory: 0.0, shrink: 0.333, growth: 6.0 }
     }
     stages: 12 [k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12]

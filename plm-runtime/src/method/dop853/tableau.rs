@@ -1,9 +1,9 @@
-//! The coefficients of DOP853.
+//! Coefficients of DOP853.
 //!
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 ("An 8(5,3)
 //! embedded pair") and II.6 (dense output of order 7), after the formula of order 8 by J. R. Dormand and P. J. Prince
-//! (1981); digits from the authors' program DOP853, with its names. Rows hold only what is not zero: the comment of
-//! each names its stages.
+//! (1981); digits from the authors' program DOP853, with its names. Rows have the coefficients that are not zero: the
+//! comment of each names its stages.
 
 pub(super) const C2: f64 = 0.052_600_151_958_767_73;
 pub(super) const C3: f64 = 0.078_900_227_938_151_6;
@@ -84,7 +84,7 @@ pub(super) const A12: [f64; 9] = [
     0.643_392_746_015_763_6,
 ];
 
-// The stages that only the dense output needs; the thirteenth is the rate at the end of the step.
+// Stages that only the dense output needs; the thirteenth is the rate at the end of the step.
 /// 1, 7 to 13.
 pub(super) const A14: [f64; 8] = [
     0.056_167_502_283_047_954,
@@ -151,7 +151,7 @@ pub(super) const E3: [f64; 8] = [
     0.022_651_792_198_360_825,
 ];
 
-// Of stages 1, 6 to 16: what the ends of the step and their rates do not determine of the dense output.
+// Of stages 1, 6 to 16: the part of the dense output that the ends of the step and their rates do not determine.
 pub(super) const D4: [f64; 12] = [
     -8.428_938_276_109_013,
     0.566_714_953_519_377_7,

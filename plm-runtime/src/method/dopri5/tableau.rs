@@ -1,8 +1,8 @@
-//! The coefficients of Dormand-Prince 5(4).
+//! Coefficients of Dormand-Prince 5(4).
 //!
 //! Sources: J. R. Dormand, P. J. Prince, A family of embedded Runge-Kutta formulae, J. Comp. Appl. Math. 6 (1980), table
-//! 2 (RK5(4)7M); E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, table II.5.2; for
-//! the dense output of their program DOPRI5. Rows hold only what is not zero.
+//! 2 (RK5(4)7M); E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, table II.5.2; for the
+//! dense output their program DOPRI5. Rows have the coefficients that are not zero.
 
 pub(super) const C2: f64 = 1.0 / 5.0;
 pub(super) const C3: f64 = 3.0 / 10.0;
@@ -22,7 +22,7 @@ pub(super) const A7: [f64; 5] = [35.0 / 384.0, 500.0 / 1113.0, 125.0 / 192.0, -2
 pub(super) const E: [f64; 6] =
     [71.0 / 57600.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// 1, 3 to 7: what the ends of the step and their rates do not determine of the dense output.
+/// 1, 3 to 7: the part of the dense output that the ends of the step and their rates do not determine.
 pub(super) const D: [f64; 6] = [
     -12_715_105_075.0 / 11_282_082_432.0,
     87_487_479_700.0 / 32_700_410_799.0,

@@ -1,4 +1,4 @@
-//! Steps that are made at once.
+//! Steps that are made at once, as one computation.
 
 use core::fmt::Debug;
 use core::marker::PhantomData;
@@ -8,14 +8,15 @@ use crate::method::{Context, Evaluated};
 use crate::scalar::Real;
 use crate::system::{Computation, Health, System};
 
-/// What a dense output has of such a step: most are asked for values alone.
+/// Content of the dense output of such a step: most need values alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Known {
     Values,
     Derivatives,
 }
 
-/// A step of a pair without a decision and a second try: its end and its stages, which have derivatives or are `VALUES`.
+/// A step of a pair without a decision and a second attempt: its end and its stages, which have derivatives or are
+/// `VALUES`.
 struct OfPair<P, const VALUES: bool>(PhantomData<P>);
 
 impl<P: Pair, const VALUES: bool> Computation for OfPair<P, VALUES> {
@@ -50,7 +51,8 @@ impl<P: Pair, const VALUES: bool> Computation for OfPair<P, VALUES> {
 }
 
 impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
-    /// The step as one computation. By itself: its copies of the stages would take room on every stack.
+    /// The step as one computation. A separate function: its copies of the stages would take stack space in every
+    /// caller.
     #[inline(never)]
     pub(super) fn computed<const VALUES: bool>(
         (context, time, x): (&Context<'_, M>, M::S, &M::X),

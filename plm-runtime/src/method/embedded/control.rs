@@ -10,7 +10,7 @@ use crate::words::{InWords, Words};
 pub(super) struct Control<S> {
     /// Error of the last accepted step, as a multiple of the tolerance.
     last_error: S,
-    /// The step was rejected before: do not grow at once.
+    /// True if the step was rejected before: it does not grow at once.
     rejected: bool,
 }
 
@@ -29,12 +29,12 @@ impl<S: Real> Control<S> {
         factor.max(S::lit(limits.shrink)).min(S::lit(most))
     }
 
-    /// The step was accepted by its error and refused for something else.
+    /// Records that a step was accepted by its error and refused for another reason.
     pub(super) fn refuse(&mut self) {
         self.rejected = true;
     }
 
-    /// Factor for another try after `error` > 1, or NaN.
+    /// Factor for another attempt after `error` > 1, or NaN.
     pub(super) fn reject(&mut self, limits: &Limits, error: S) -> S {
         self.rejected = true;
         // `max` gives its argument for NaN.

@@ -1,4 +1,4 @@
-//! The polynomial between the ends of a step.
+//! Polynomial between the ends of a step.
 
 use crate::method::Path;
 use crate::method::path::POWERS;
@@ -18,7 +18,7 @@ pub(in crate::method) struct Span<S, X> {
 }
 
 impl<S: Real, X: Vector<S>> Span<S, X> {
-    /// The same with states and rates without derivatives; times that are found within it have those of the step.
+    /// This step with states and rates without derivatives; times that are found within it have those of the step.
     pub(in crate::method) fn values(&self) -> Self {
         Self {
             from: values(&self.from),
@@ -29,8 +29,8 @@ impl<S: Real, X: Vector<S>> Span<S, X> {
         }
     }
 
-    /// The state at `time`: through both ends with their rates, and `bends` in addition (Hairer, Nørsett, Wanner I,
-    /// II.6; CONTD5 and CONTD8 of their programs). Without bends it is the cubic by C. Hermite.
+    /// State at `time`: through both ends with their rates, and with the terms `bends` in addition (Hairer,
+    /// Nørsett, Wanner I, II.6; CONTD5 and CONTD8 of their programs). Without bends it is the cubic by C. Hermite.
     pub(in crate::method) fn at(&self, time: S, bends: &[X]) -> X {
         let theta = (time - self.time) / self.h;
         let rest = S::lit(1.0) - theta;
@@ -46,7 +46,7 @@ impl<S: Real, X: Vector<S>> Span<S, X> {
         })
     }
 
-    /// The same as powers of theta.
+    /// The polynomial of [`at`](Self::at) as powers of theta.
     pub(in crate::method) fn path(&self, bends: &[X]) -> Path<S, X> {
         Path::new(self.time, self.h, |i| {
             let mut sum = [S::ZERO; POWERS];

@@ -1,4 +1,4 @@
-//! Embedded pairs with step control, dense output, and projection where the constraints drift.
+//! Embedded pairs with step control, dense output, and projection if the constraints drift.
 
 mod at_once;
 mod control;
@@ -28,42 +28,42 @@ use crate::vector::Vector;
 
 /// A pair of Runge-Kutta formulas: steps chosen by the error, dense output.
 ///
-/// The error norm is the pair's, of error_i / (rtol typical_i + rtol max|x_i|), or the drift of the new state
-/// over rtol times the typical coordinate (velocity), whichever is larger. Above a tenth of that the new state is
-/// projected, and the dense output is led to the projected state and its rate. The health of the stages is looked at once
-/// a step; an unhealthy step is done again, by rank where needed, and so are the following ones until one is healthy.
+/// The error norm is the pair's, of error_i / (rtol typical_i + rtol max|x_i|), or the drift of the new state over rtol times the typical
+/// coordinate (velocity), whichever is larger. If the drift is above a tenth of that tolerance, the new state is projected, and the dense
+/// output ends at the projected state and its rate. The health of the stages is checked once a step; an unhealthy step is repeated, by rank
+/// where needed, and so are the following ones until one is healthy.
 #[derive(Clone, Copy, Debug)]
 pub struct Embedded<M: System, P: Pair> {
     /// Relative tolerance; the absolute one of each state is this times its typical size.
     pub rtol: M::S,
     /// Longest step, s.
     pub longest_step: M::S,
-    /// Accepted and rejected steps that one interval may take.
+    /// Most accepted and rejected steps in one interval.
     pub most_steps: u64,
-    /// Proposal for the next step, s; none before the first.
+    /// Proposal for the next step, s; `None` before the first.
     proposal: Option<M::S>,
     control: Control<M::S>,
     steady: Steady<M::S>,
-    /// The rate at the current state, unless that has been changed.
+    /// Rate at the current state; `None` after a change of the state.
     rate: Option<M::X>,
-    /// The last step, for the dense output, and its stages.
+    /// Last step, for the dense output, and its stages.
     span: Option<Span<M::S, M::X>>,
     stages: Option<P::Stages<M::X>>,
     bends: Option<P::Bends<M::X>>,
-    /// What the dense output of the last step has.
+    /// Content of the dense output of the last step.
     known: Known,
-    /// The last step went by rank.
+    /// True if the last step went by rank.
     was_unhealthy: bool,
     projection: Projection<M::S>,
-    /// The error decided how long the last step was.
+    /// True if the error decided the length of the last step.
     by_error: bool,
 }
 
 /// A step that may be accepted.
 struct Trial<X> {
-    /// The state at its end.
+    /// State at its end.
     x: X,
-    /// Some stage was evaluated by rank.
+    /// True if some stage was evaluated by rank.
     by_rank: bool,
 }
 
@@ -76,7 +76,7 @@ impl<M: System<S: Real>, P: Pair> Default for Embedded<M, P> {
 builders!([M: System<S: Real>, P: Pair] Embedded<M, P>);
 
 impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
-    /// With the relative tolerance `rtol` (not below what the scalar can resolve).
+    /// The method with the relative tolerance `rtol` (at least the resolution of the scalar).
     pub fn new(rtol: M::S) -> Self {
         Self {
             rtol,
@@ -96,7 +96,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         }
     }
 
-    /// One step without a decision; by rank where that is needed.
+    /// Makes one step without a decision; by rank if needed.
     fn trial(
         &mut self,
         context: &mut Context<'_, M>,
@@ -144,7 +144,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         outcome.map(|()| Trial { x: end, by_rank: self.was_unhealthy })
     }
 
-    /// Error and drift of a trial step, as multiples of the tolerance; between them what the error is taken for at least.
+    /// Error and drift of a trial step, as multiples of the tolerance; between them the least value that the error is taken for.
     fn judge(
         &self,
         context: &Context<'_, M>,
@@ -159,15 +159,15 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         });
         let by = (&weight, context.system.states());
         let error = P::error(h, k, by);
-        // Where forces bend sharply within a step estimates are no powers of its length, and one that is combined may vanish by chance: the
-        // error was 1000 times the tolerance then. After the first step the last one tells what is to be expected; before, the estimate of
-        // lower order bounds it by itself.
+        // If forces bend sharply within a step, estimates are no powers of its length, and a combined one may vanish by chance: the error
+        // was 1000 times the tolerance then. After the first step the last one predicts the error; before, the estimate of lower order
+        // bounds it alone.
         let is_first = context.system.may_bend() && self.steady.is_new();
         let least = if is_first { P::plain_error(h, k, by) } else { M::S::ZERO };
         (error, least, self.drift_ratio(context, (context.time + h, end)))
     }
 
-    /// The state with the largest error, each by itself over its size, which is at least typical.
+    /// State with the largest error, each relative to its size, which is at least typical.
     #[cold]
     fn largest_error(system: &M, k: &P::Stages<M::X>, size: impl Fn(usize) -> M::S) -> Option<usize> {
         let typical = system.typical();
@@ -183,19 +183,19 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         most.0
     }
 
-    /// The part that the state with the largest error belongs to.
+    /// Part to which the state with the largest error belongs.
     #[cold]
     fn worst(context: &Context<'_, M>, k: &P::Stages<M::X>) -> &'static str {
         let worst = Self::largest_error(context.system, k, |i| context.x.at(i).abs());
         worst.map_or("", |i| context.system.part_of_state(i))
     }
 
-    /// Drift of a state over the tolerance, less what projection cannot remove.
+    /// Drift of a state over the tolerance, less the part that projection cannot remove.
     fn drift_ratio(&self, context: &Context<'_, M>, at: (M::S, &M::X)) -> M::S {
         self.projection.drift((context.system, &context.held), self.tolerance(), at)
     }
 
-    /// The state at the end of an accepted step and its rate, projected if the drift asks for it or the step went by rank.
+    /// State and rate at the end of an accepted step, projected if it has drifted or the step went by rank.
     fn arrive(
         &mut self,
         context: &mut Context<'_, M>,
@@ -217,7 +217,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         Ok((x, rate))
     }
 
-    /// The proposal after an accepted step: a step that was cut to hit the end says little of the next one.
+    /// Proposes the step after an accepted one. A step that was cut to reach the end tells little about the next one.
     fn propose(&mut self, proposal: M::S, h: M::S, (error, estimate): (M::S, M::S)) {
         let mut control = self.control;
         let next = h * control.accept(&P::LIMITS, error);
@@ -269,7 +269,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                             rate_to,
                         });
                         (self.stages, self.rate) = (Some(k), Some(rate_to));
-                        // What was left standing comes from earlier steps as well: a shorter step would not lessen it.
+                        // Drift that was not projected comes from earlier steps as well: a shorter step would not reduce it.
                         let projects = drift > M::S::lit(PROJECTED_ABOVE);
                         self.propose(proposal, h, (if projects { worst } else { error }, estimate));
                         self.by_error = !last && h < self.longest_step && drift <= error;

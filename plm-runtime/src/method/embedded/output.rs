@@ -1,4 +1,4 @@
-//! The dense output of the last step.
+//! Dense output of the last step.
 
 use super::at_once::Known;
 use super::{Embedded, Pair, Span};
@@ -9,7 +9,7 @@ use crate::system::System;
 use crate::vector::Vector;
 
 impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
-    /// The last step as the search for events sees it: of one that was made at once by values, unless all of it has derivatives.
+    /// The last step for the search of events: the values of one that was made at once, unless all of it has derivatives.
     fn seen(&self) -> Option<Span<M::S, M::X>> {
         self.span.map(|span| match self.known {
             Known::Values if M::S::AT_ONCE.has_steps() => span.values(),
@@ -42,7 +42,7 @@ impl<M: System<S: Real> + Copy, P: Pair> DenseOutput<M> for Embedded<M, P> {
         if let (true, Known::Values, Some(step), Some(mut k)) =
             (M::S::AT_ONCE.has_steps(), self.known, self.span, self.stages)
         {
-            // A step by rank has them.
+            // A step by rank has derivatives already.
             if !self.was_unhealthy {
                 Self::computed::<false>((context, step.time, &step.from), &step.rate_from, step.h, &mut k);
             }

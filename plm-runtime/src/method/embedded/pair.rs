@@ -1,4 +1,4 @@
-//! What a pair of formulas brings with it: stages, error estimate, what is between the ends of a step.
+//! Contract of a pair of formulas: stages, error estimate, dense output.
 
 use core::fmt::Debug;
 
@@ -7,7 +7,7 @@ use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Two explicit Runge-Kutta formulas on the same stages: one gives the state, their difference its error.
+/// Two explicit Runge-Kutta formulas on common stages: one gives the state, their difference its error.
 pub trait Pair: Copy + Debug {
     /// [`Method::NAME`](crate::Method::NAME) of the method.
     const NAME: &'static str = "";
@@ -15,30 +15,30 @@ pub trait Pair: Copy + Debug {
     const ORDER: u32;
     /// Evaluations of a trial step, without the rate at its beginning.
     const EVALUATIONS: u64;
-    /// The relative tolerance that a run takes which names none.
+    /// Relative tolerance of a run that names none.
     const RTOL: f64;
     /// Step size control.
     const LIMITS: Limits;
 
-    /// The rates of the stages.
+    /// Rates of the stages.
     type Stages<X: Copy + Debug>: Copy + Debug;
     /// Coefficients of the dense output beyond those that the ends of a step determine, the lowest first.
     type Bends<X: Copy + Debug>: Copy + Debug + AsRef<[X]>;
 
-    /// How many stages are kept.
+    /// Number of stages that are stored.
     const KEPT: usize;
 
-    /// Writes stages in other states.
+    /// Converts stages to other states.
     fn map<X: Copy + Debug, Y: Copy + Debug>(
         k: &Self::Stages<X>,
         to: &mut Self::Stages<Y>,
         each: impl FnMut(&X, &mut Y),
     );
 
-    /// Stages to write to.
+    /// Stages with a blank value, to write to.
     fn blank<X: Copy + Debug>(x: X) -> Self::Stages<X>;
 
-    /// The state at `t + h` from `x` at `t`, where the rate is `first`; `rates` computes the others.
+    /// State at `t + h` from `x` at `t`, where the rate is `first`; `rates` computes the others.
     fn step<M: System>(
         t: M::S,
         h: M::S,
@@ -48,16 +48,16 @@ pub trait Pair: Copy + Debug {
         rates: impl Rates<M>,
     ) -> M::X;
 
-    /// The rate at the end of a step, if it is one of the stages.
+    /// Rate at the end of a step, if it is one of the stages.
     fn rate_at_end<X: Copy + Debug>(k: &Self::Stages<X>) -> Option<&X>;
 
-    /// The norm of the error of so many components; each counts by its `weight`.
+    /// Norm of the error of so many components, each by its `weight`.
     fn error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, by: (&X, usize)) -> S;
 
-    /// The norm of the first of the estimates that [`error`](Self::error) combines, by itself.
+    /// Norm of the first one of the estimates that [`error`](Self::error) combines.
     fn plain_error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, by: (&X, usize)) -> S;
 
-    /// The dense output of a step from `x` at `t`; `last` is the rate at its end.
+    /// Dense output of a step from `x` at `t`; `last` is the rate at its end.
     fn bend<M: System>(
         t: M::S,
         h: M::S,
@@ -68,7 +68,7 @@ pub trait Pair: Copy + Debug {
     ) -> Self::Bends<M::X>;
 }
 
-/// How a step size follows the error.
+/// Limits of the step size control.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// The next step aims at an error of this to the power 1 / `exponent`, as a fraction of the tolerance.

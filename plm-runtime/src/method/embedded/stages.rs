@@ -1,4 +1,4 @@
-//! The stages of an explicit formula, one after the other.
+//! Stages of an explicit formula, one after another.
 
 use core::ops::Range;
 
@@ -8,24 +8,25 @@ use crate::scalar::Scalar;
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Stages of more numbers than that do not stay in registers, and are copied for nothing: in a chain of six bars.
+/// Largest number of states for which stages stay in registers. Copies of the rate for more gain nothing, as in a chain of six
+/// bars.
 const FEW_STATES: usize = 8;
 
-/// The rows of an explicit formula of `N` stages, up to 16 of them.
+/// Rows of an explicit formula of `N` stages, up to 16 of them.
 pub(in crate::method) trait Rows<const N: usize> {
-    /// When the stages are, as fractions of the step.
+    /// Times of the stages, as fractions of the step.
     const NODES: [f64; N];
 
     /// A part of the state `at` a stage, from the state `x` at the beginning of a step `h` and the rates `k` of the stages
-    /// before, all counted from 0. That of number `N` is the end of the step.
+    /// before, all counted from 0. Stage `N` is the end of the step.
     fn row<S: Scalar, X: Vector<S>>(stage: usize, part: Range<usize>, from: (&X, S), k: &[X; N], at: &mut X);
 }
 
-/// The rates `k` of all stages of a step `h` at `t`, of which the first is known, and the state at its end.
+/// Rates `k` of all stages of a step `h` at `t`, the first of which is known, and the state at its end.
 ///
-/// Coordinates of a stage follow from velocities of those before, not from the acceleration of the last: they stand before its
-/// rate, so that processors work on the next pose while they wait for an acceleration. After it compilers pack both into
-/// vectors that wait for the later one: a four-bar's evaluation takes a quarter longer.
+/// Coordinates of a stage follow from velocities of earlier stages, not from the last acceleration. They are computed before
+/// the rate of the stage, so that processors work on the next pose while they wait for an acceleration. After the rate
+/// compilers would pack both into vectors that wait for the later one: a four-bar's evaluation takes a quarter longer.
 // The rate's captures (health, system, inputs) stay in registers only if the formula is part of its caller; and the rate,
 // unless it is short, becomes part of the formula only if it is called in one place, hence the loop.
 #[allow(clippy::inline_always)]
@@ -48,8 +49,8 @@ pub(in crate::method) fn stages<M: System, R: Rows<N>, const N: usize>(
     at
 }
 
-/// The same with a copy of the rate for each stage.
-// Apart in builds that are not optimised, where the stack of a large system has room for what it needs alone.
+/// Makes the stages with a copy of the rate for each.
+// A separate function in builds without optimisation, in which the stack of a large system has room for little else.
 #[cfg_attr(not(debug_assertions), allow(clippy::inline_always), inline(always))]
 fn each_with_its_rate<M: System, R: Rows<N>, const N: usize>(
     (t, h): (M::S, M::S),
@@ -74,7 +75,7 @@ fn each_with_its_rate<M: System, R: Rows<N>, const N: usize>(
     at
 }
 
-/// When a stage is.
+/// Time of a stage.
 #[inline]
 fn time<M: System, R: Rows<N>, const N: usize>((t, h): (M::S, M::S), stage: usize) -> M::S {
     M::S::lit(R::NODES[stage]).mul_add(h, t)

@@ -1,4 +1,4 @@
-//! The first step.
+//! First step.
 
 use crate::fault::Fault;
 use crate::method::Context;
@@ -41,12 +41,13 @@ pub(in crate::method) fn first_step<M: System<S: Real>>(
     } else {
         ((lit(0.01) / steepest).ln() / lit(f64::from(order))).exp()
     };
-    // A guess where everything rests may be too short to move the time. The length of a step only decides.
+    // A guess at a state of rest may be too short to move the time. The length has no derivatives, since it
+    // only decides.
     let step = positive((lit(100.0) * first).min(second), first).max(lit(2.0) * shortest(context));
     Ok(M::S::of_plain(step.plain()))
 }
 
-/// The first step, or the second where the first is zero or not a number.
+/// The first length, or the second if the first is not positive or NaN.
 fn positive<S: Real>(step: S, otherwise: S) -> S {
     if step > S::lit(0.0) { step } else { otherwise }
 }

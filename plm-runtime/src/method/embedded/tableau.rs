@@ -4,12 +4,12 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Writes [`Rows`](super::Rows) and [`Pair`](super::Pair) of a tableau. Rows hold the coefficients that are not zero, each with the
-/// stages that they belong to; of the stages those stay known that the error and the dense output need.
+/// Implements [`Rows`](super::Rows) and [`Pair`](super::Pair) for a tableau. Rows have the coefficients that are not zero, each
+/// with the stages that they belong to. Only the stages that the error and the dense output need are stored.
 ///
-/// `end` has the weights of the formula that goes on. A pair whose last stage is the rate at the end of the step names it
-/// after `last`. `error` has the weights of one estimate, or of two that are combined. `rate_at_end` names the rate at the end of
-/// the step, after a projection; the stages of `dense` are evaluated where dense output is asked for.
+/// `end` has the weights of the formula that continues the solution. A pair whose last stage is the rate at the end of the step
+/// names it after `last`. `error` has the weights of one estimate, or of two that are combined. `rate_at_end` names the rate at the
+/// end of the step, after a projection; the stages of `dense` are evaluated if dense output is requested.
 macro_rules! pair {
     (
         $(#[$doc:meta])*
@@ -33,7 +33,7 @@ macro_rules! pair {
         impl $crate::method::embedded::Rows<$stages> for $pair {
             const NODES: [f64; $stages] = $nodes;
 
-            // Apart in builds that are not optimised, as each stage with its rate.
+            // A separate function in builds without optimisation, as each stage with its rate.
             #[allow(unused_variables, reason = "a stage may count in no row")]
             #[cfg_attr(
                 not(debug_assertions),
@@ -146,11 +146,11 @@ macro_rules! pair {
 }
 pub(in crate::method) use pair;
 
-/// Weights of `N` error estimates over the `K` stages that are kept.
+/// Weights of `N` error estimates over the `K` stages that are stored.
 pub(in crate::method) struct Weights<const K: usize, const N: usize>(pub(in crate::method) [[f64; K]; N]);
 
 impl<const K: usize, const N: usize> Weights<K, N> {
-    /// The root mean square of the first error, each component by its `weight`.
+    /// Root mean square of the first error, each component by its `weight`.
     #[inline]
     pub(in crate::method) fn first_norm<S: Real, X: Vector<S>>(
         &self,
@@ -164,7 +164,7 @@ impl<const K: usize, const N: usize> Weights<K, N> {
 }
 
 impl<const K: usize> Weights<K, 1> {
-    /// The root mean square of the error, each component by its `weight`.
+    /// Root mean square of the error, each component by its `weight`.
     #[inline]
     pub(in crate::method) fn norm<S: Real, X: Vector<S>>(&self, h: S, k: &[X; K], by: (&X, usize)) -> S {
         self.first_norm(h, k, by)
@@ -189,7 +189,7 @@ impl<const K: usize> Weights<K, 2> {
     }
 }
 
-/// The sum of the squares of an error, each component by its `weight`. It has no derivatives, since it only decides.
+/// Sum of the squares of an error, each component by its `weight`. It has no derivatives, since it only decides.
 #[inline]
 fn square<S: Real, X: Vector<S>, const K: usize>(weights: [f64; K], k: &[X; K], weight: &X) -> S {
     if S::HAS_DERIVATIVES {
@@ -204,7 +204,7 @@ fn square<S: Real, X: Vector<S>, const K: usize>(weights: [f64; K], k: &[X; K], 
     error.fold(S::ZERO, |sum, e| e.mul_add(e, sum))
 }
 
-/// The rate at a stage of the dense output; `last` is of its shape.
+/// Rate at a stage of the dense output; `last` is a vector of its size.
 #[allow(clippy::inline_always, reason = "the stages stay where they are")]
 #[inline(always)]
 pub(in crate::method) fn stage<M: System, const K: usize>(

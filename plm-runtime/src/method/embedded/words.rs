@@ -6,7 +6,8 @@ use crate::system::System;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
-/// The options, and what decides the next step. Not the last step, whose stages serve states within it.
+/// Options, and the data that decide the next step; without the last step, whose stages serve states within
+/// it.
 impl<M: System<S: Real>, P: Pair> InWords for Embedded<M, P> {
     fn each(&mut self, words: &mut impl Words) {
         words.numbers([&mut self.rtol, &mut self.longest_step]);

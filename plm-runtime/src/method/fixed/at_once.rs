@@ -1,4 +1,4 @@
-//! Steps of explicit formulas that are made at once: each is one computation.
+//! Steps of explicit formulas that are made at once, as one computation.
 
 use core::fmt::Debug;
 use core::marker::PhantomData;
@@ -10,7 +10,7 @@ use crate::scalar::Scalar;
 use crate::system::{Computation, Health, System};
 use crate::vector::Vector;
 
-/// The end of a step, and a vector of how far its rates are apart, which has no derivatives.
+/// The end of a step, and a vector of the spread of its rates, which has no derivatives.
 struct OfFormula<F>(PhantomData<F>);
 
 impl<F: Formula> Computation for OfFormula<F> {
@@ -45,7 +45,7 @@ impl<F: Formula> Computation for OfFormula<F> {
     }
 }
 
-/// One step with the worst health of its stages, and whether its rates are little apart.
+/// Makes one step; gives the worst health of its stages, and true if its rates differ little.
 #[inline(never)]
 pub(super) fn step<F: Formula, M: System>(
     (system, u): (&M, &M::U),

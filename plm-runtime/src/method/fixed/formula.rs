@@ -1,4 +1,4 @@
-//! Formulas of fixed-step methods: one step, whatever its numbers are.
+//! Formulas of fixed-step methods: one step, in any numbers.
 
 use super::at_once;
 use crate::method::estimate::Estimate;
@@ -11,12 +11,12 @@ use crate::system::{Health, OneStep, Rate, System};
 pub trait Formula: Copy {
     /// [`Method::NAME`](crate::Method::NAME) of the method.
     const NAME: &'static str = "";
-    /// Rates per step.
+    /// Number of rates per step.
     const STAGES: u64;
-    /// The rates at the stages of a step.
+    /// Rates at the stages of a step.
     type Stages<X: Copy>: Copy;
 
-    /// Takes the state `x` from `t` to `t + h`; `rates` computes the rates. Gives what `look` makes of the state then and of the
+    /// Advances the state `x` from `t` to `t + h`; `rates` computes the rates. Returns the result of `look` for the new state and the
     /// rates.
     fn step<M: Rate, T>(
         times: (M::S, M::S),
@@ -25,35 +25,35 @@ pub trait Formula: Copy {
         look: impl FnOnce(&M::X, &Self::Stages<M::X>) -> T,
     ) -> T;
 
-    /// Positions that the trapezoidal rule of their velocities puts nearer than this share of their sizes need no estimate.
+    /// Distance of positions from those by the trapezoidal rule, relative to their sizes, below which they need no estimate.
     const STRAIGHT: f64;
 
-    /// Whether [`apart`](Self::apart) tells of positions; of velocities and first-order states it does.
+    /// True if [`apart`](Self::apart) covers positions; velocities and first-order states are always covered.
     const OF_PLACES: bool;
 
-    /// By state, how far the rates of a step of `h` are apart, and how far they may be in one that needs no
-    /// [`estimate`](Self::estimate): a share of its `size`.
+    /// By state, the difference of the rates of a step of `h`, and its bound for a step that needs no [`estimate`](Self::estimate): a
+    /// share of its `size`.
     fn apart<M: Rate>(
         h: M::S,
         stages: &Self::Stages<M::X>,
         size: impl Fn(usize) -> M::S,
     ) -> impl Fn(usize) -> [M::S; 2];
 
-    /// The difference of the rates at the stages by which an [`estimate`](Self::estimate) is made, by state.
+    /// Differences of the rates at the stages from which an [`estimate`](Self::estimate) is made, by state.
     fn difference<M: Rate<S: Real>>(stages: &Self::Stages<M::X>) -> M::X;
 
-    /// The error of a step, as it is estimated by a [`difference`](Self::difference) of its rates.
+    /// Error of a step, estimated from a [`difference`](Self::difference) of its rates.
     fn estimate<M: Rate<S: Real>>(made: &Made<'_, M>, difference: &M::X) -> Estimate<M::S>;
 
-    /// One step for any scalar, with the worst health of its stages and without a second try.
+    /// Makes one step for any scalar, without a second attempt; gives the worst health of its stages.
     #[inline]
     fn plain_step<M: Rate>(system: &M, t: M::S, u: &M::U, x: &mut M::X, h: M::S) -> Health<M::S> {
         looked_at::<Self, M, _>((system, u), (t, h), x, |_, _| ()).0
     }
 }
 
-/// One step with the worst health of its stages, without a second try, and what `look` makes of its end and the rates of its
-/// stages.
+/// Makes one step, without a second attempt; gives the worst health of its stages, and the result of `look` for its end and the rates
+/// of its stages.
 #[allow(clippy::inline_always, reason = "as the formula, which it is")]
 #[inline(always)]
 pub(crate) fn looked_at<F: Formula, M: Rate, T>(
@@ -67,7 +67,7 @@ pub(crate) fn looked_at<F: Formula, M: Rate, T>(
     (rates.worst, seen)
 }
 
-/// The same of a system whose rate is evaluated as by methods.
+/// Makes a step as [`looked_at`] does, with the rate of a system evaluated as by methods.
 #[allow(clippy::inline_always, reason = "as the formula, which it is")]
 #[inline(always)]
 pub(super) fn evaluated<F: Formula, M: System, T>(
@@ -81,7 +81,8 @@ pub(super) fn evaluated<F: Formula, M: System, T>(
     (rates.worst, seen)
 }
 
-/// One step with the worst health of its stages, and whether its rates are little apart: as a whole, where the system computes it so.
+/// Makes one step, as a whole if the system computes it so; gives the worst health of its stages, and true if its rates differ
+/// little.
 #[allow(clippy::inline_always, reason = "as the formula, which it is")]
 #[inline(always)]
 pub(super) fn formula<F: Formula, M: System<S: Real>>(
@@ -118,12 +119,12 @@ impl<F: Formula> OneStep for F {
 pub struct Made<'a, M: Rate> {
     /// The equations.
     pub system: &'a M,
-    /// What was held over it.
+    /// Discrete state during the step.
     pub held: &'a M::U,
     /// Its length, s.
     pub h: M::S,
     /// Time, s, and state before it.
     pub from: (M::S, &'a M::X),
-    /// The state after it.
+    /// State after it.
     pub to: &'a M::X,
 }

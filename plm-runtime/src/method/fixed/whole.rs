@@ -8,8 +8,8 @@ use crate::scalar::Real;
 use crate::system::System;
 
 impl<S: Real, F: Formula> FixedStep<S, F> {
-    /// Makes a step that the system computes as a whole where the state stands, which costs one copy of it; false, and nothing has changed,
-    /// where that is not healthy.
+    /// Makes a step that the system computes as a whole, in the place of the state, which costs one copy of it. Returns false, with nothing
+    /// changed, if there is no such step or if it is not healthy.
     #[inline]
     pub(super) fn advance_whole<M: System<S = S>>(&mut self, context: &mut Context<'_, M>) -> bool {
         let (t, h, from) = (context.time, self.partition.h, context.x);

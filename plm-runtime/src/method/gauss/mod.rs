@@ -16,33 +16,34 @@ use crate::words::{InWords, Words};
 
 /// Gauss collocation with 2 (order 4) or 3 stages (order 6) and steps of equal length: symplectic and time-reversible.
 ///
-/// Over long runs the energy of a conservative system oscillates and does not drift (E. Hairer, C. Lubich, G. Wanner,
-/// Geometric Numerical Integration, VI.4, IX.8). The stages are iterated until rounding stops them, and what the sum
-/// over the steps rounds off is carried along, so that rounding does not drift either (the same, VIII.5 and VIII.6).
-/// Fixed-point iteration: for equations that are not stiff. A projection onto constraints breaks the symmetry; it takes
-/// place only where the state drifted by more than the tolerance.
+/// Over long runs the energy of a conservative system oscillates and does not drift (E. Hairer, C. Lubich, G. Wanner, Geometric
+/// Numerical Integration, VI.4, IX.8). The stages are iterated until rounding stops them, and the rounding errors of the sum
+/// over the steps are carried along, so that rounding does not drift either (the same, VIII.5 and VIII.6). Fixed-point
+/// iteration: for equations that are not stiff. A projection onto constraints breaks the symmetry; it takes place only if the
+/// state drifted by more than the tolerance.
 #[derive(Clone, Copy, Debug)]
 pub struct Gauss<M: System, const STAGES: usize> {
     /// Longest step, s.
     pub longest_step: M::S,
-    /// Drift that is tolerated, as a fraction of the typical coordinate and velocity.
+    /// Tolerated drift, as a fraction of the typical coordinate and velocity.
     pub tolerance: M::S,
     partition: Partition<M::S>,
-    /// The rates of the last stages and the length of their step.
+    /// Rates of the last stages, and the length of their step.
     last: Option<([M::X; STAGES], M::S)>,
-    /// What the last sums rounded off.
+    /// Rounding errors of the last sums.
     rounded: M::X,
-    /// The error of the last step.
+    /// Error of the last step.
     estimate: Estimate<M::S>,
 }
 
-/// Iterations after which the stages must be found.
+/// Most iterations for the stages.
 const MOST_ITERATIONS: usize = 100;
-/// Changes below this fraction of the state may be rounding, as a multiple of the distance from 1 to the next number.
+/// Changes below this fraction of the state, as a multiple of the distance from 1 to the next number, may be rounding.
 const ROUNDING: f64 = 65_536.0;
 
 impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
-    /// Steps of at most `longest_step`, in s; a drift of 1e-10 (of what the scalar can resolve, if that is more).
+    /// The method with steps of at most `longest_step`, in s, and a tolerated drift of 1e-10 (at least the resolution of the
+    /// scalar).
     pub fn new(longest_step: M::S) -> Self {
         Self {
             longest_step,
@@ -54,14 +55,14 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
         }
     }
 
-    /// The same with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
+    /// This method with another tolerance on the drift, as a fraction of the typical coordinate and velocity.
     #[must_use]
     pub fn with_tolerance(self, tolerance: M::S) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// The rates of the stages to begin with: the polynomial of the last step goes on (the same, VIII.6.1), or the rate
-    /// at the start of the step.
+    /// Rates of the stages at which the iteration begins: the polynomial of the last step continued (the same, VIII.6.1), or
+    /// the rate at the start of the step.
     fn first_guess(
         &self,
         context: &mut Context<'_, M>,
@@ -86,8 +87,8 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
         }))
     }
 
-    /// The increments h b_i k_i of the stages and their states. Coordinates follow from the velocities of the stages, not
-    /// from those of the last iteration: for q'' = f(q) an iteration then gains a factor of order h^2.
+    /// Increments h b_i k_i of the stages, and their states. Coordinates follow from the velocities of the stages, not from
+    /// those of the last iteration: for q'' = f(q) an iteration then gains a factor of order h^2.
     fn stages(
         &self,
         x: &M::X,
@@ -135,7 +136,7 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
         let mut least = M::X::fill(M::S::INFINITY);
         for _ in 0..MOST_ITERATIONS {
             for (i, (state, rate)) in states.iter().zip(&mut rates).enumerate() {
-                // Stages that run away are those of a step that is too long; the state that it begins from is finite.
+                // Stages that diverge are those of a step that is too long; the state at its beginning is finite.
                 context.rate(time + tableau.c[i] * h, state, rate).map_err(|fault| match fault.cause {
                     Cause::NotFinite => context.fault(Cause::NotConverged { step: h.to_f64() }),
                     _ => fault,
@@ -162,8 +163,8 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
         Err(context.fault(Cause::NotConverged { step: h.to_f64() }))
     }
 
-    /// The error of a step from `x` to `next`. Positions tell of the third term of Taylor's series by the trapezoidal rule, the
-    /// rates of the stages by their differences: three of the third term, two of the second.
+    /// Error of a step from `x` to `next`. Positions give the third term of Taylor's series by the trapezoidal rule; the
+    /// differences of the rates give the third term for three stages, the second one for two.
     fn error(&self, system: &M, [x, next]: [&M::X; 2], increments: &[M::X; STAGES]) -> Estimate<M::S>
     where
         Legendre: Nodes<STAGES>,
@@ -188,7 +189,7 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
         if places.error < rates.error { rates } else { places }
     }
 
-    /// The state after the step: the sum of the increments with what earlier sums rounded off.
+    /// State after the step: the sum of the increments, with the rounding errors of earlier sums.
     fn sum(&mut self, x: &M::X, increments: &[M::X; STAGES]) -> M::X {
         let rounded = self.rounded;
         M::X::from_fn(|k| {
@@ -259,7 +260,7 @@ where
     }
 }
 
-/// The options, and what one step leaves for the next: the rates of its stages, and what its sums rounded off.
+/// Options, and the data that one step leaves for the next: the rates of its stages, and the rounding errors of its sums.
 impl<M: System<S: Real>, const STAGES: usize> InWords for Gauss<M, STAGES> {
     fn each(&mut self, words: &mut impl Words) {
         words.numbers([&mut self.longest_step, &mut self.tolerance]);

@@ -1,8 +1,8 @@
-//! The coefficients of the Gauss methods, such that rounding does not spoil their symmetries.
+//! Coefficients of the Gauss methods, in a form in which rounding preserves their symmetries.
 
 use crate::scalar::Real;
 
-/// The abscissae and weights of Gauss and Legendre, which make the methods.
+/// Abscissae and weights of Gauss and Legendre, which define the methods.
 #[derive(Clone, Copy, Debug)]
 pub struct Legendre;
 
@@ -18,8 +18,8 @@ pub trait Nodes<const STAGES: usize> {
     /// (M. Antoñana, J. Makazaga, A. Murua, Reducing and monitoring round-off error propagation for symplectic implicit
     /// Runge-Kutta schemes, Numer. Algorithms 76 (2017), eqs. (3) and (12)).
     const MU: [[f64; STAGES]; STAGES];
-    /// What the step of a linear oscillator errs by, in z^(2s + 1): s!^2/((2s)! (2s + 1)!), as the approximant of H. Padé
-    /// (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.3, eq. (3.31)).
+    /// Error of the step of a linear oscillator, in z^(2s + 1): s!^2/((2s)! (2s + 1)!), that of the approximant of H.
+    /// Padé (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.3, eq. (3.31)).
     const ERROR: f64;
 }
 
@@ -63,7 +63,7 @@ impl<S: Real, const STAGES: usize> Tableau<S, STAGES> {
         Self { c: Legendre::C.map(S::lit), mu: core::array::from_fn(|i| core::array::from_fn(|j| mu(i, j))) }
     }
 
-    /// h b_i, symmetric, and with the sum h but for one rounding (the same article, eq. (11)).
+    /// h b_i, symmetric, and with the sum h up to one rounding (the same article, eq. (11)).
     pub(super) fn weights(h: S) -> [S; STAGES]
     where
         Legendre: Nodes<STAGES>,

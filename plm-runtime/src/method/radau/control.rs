@@ -10,7 +10,7 @@ use crate::scalar::Real;
 pub(super) struct Control<S> {
     /// Length and error of the last accepted step.
     pub(super) last: Option<(S, S)>,
-    /// The step was rejected before: do not grow at once.
+    /// True if the step was rejected before: it does not grow at once.
     pub(super) rejected: bool,
 }
 
@@ -24,7 +24,7 @@ impl<S: Real> Control<S> {
         Self { last: None, rejected: false }
     }
 
-    /// Nothing was accepted so far.
+    /// True if no step was accepted so far.
     pub(super) fn is_first(&self) -> bool {
         self.last.is_none()
     }
@@ -44,14 +44,14 @@ impl<S: Real> Control<S> {
         factor
     }
 
-    /// Factor for another try after `error` > 1.
+    /// Factor for another attempt after `error` > 1.
     pub(super) fn reject(&mut self, error: S, iterations: usize) -> S {
         self.rejected = true;
         if self.is_first() { S::lit(0.1) } else { proposed(error, iterations) }
     }
 }
 
-/// From the error, more cautious where many iterations were needed.
+/// Factor from the error, more cautious if many iterations were needed.
 fn proposed<S: Real>(error: S, iterations: usize) -> S {
     let most = (2 * MOST_ITERATIONS) as f64;
     let safety = SAFETY * (most + 1.0) / (most + iterations as f64);

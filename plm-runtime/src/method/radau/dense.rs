@@ -1,27 +1,28 @@
-//! The collocation polynomial of a step.
+//! Collocation polynomial of a step.
 
 use super::tableau::C;
 use crate::method::Path;
 use crate::scalar::Real;
 use crate::vector::Vector;
 
-/// The polynomial of degree 3 through the state at the beginning of a step and its three stages, in Newton's form from
-/// the end (CONTR5 of the program RADAU5), led to where the step was projected.
+/// Polynomial of degree 3 through the state at the beginning of a step and its three stages, in Newton's form from the end (CONTR5 of
+/// the program RADAU5), corrected to the projected state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dense<S, X> {
-    /// The end of the step.
+    /// Time at the end of the step.
     pub(super) end: S,
     pub(super) h: S,
-    /// The state at the end, before it was projected.
+    /// State at the end, before it was projected.
     pub(super) to: X,
-    /// The state at the end.
+    /// State at the end.
     pub(super) projected: X,
     /// Divided differences.
     pub(super) differences: [X; 3],
 }
 
 impl<S: Real, X: Vector<S>> Dense<S, X> {
-    /// Of a step of `h` that ended at `end` in `to`, and was projected to `projected`; with the stages less the state at its beginning.
+    /// Polynomial of a step of `h` that ended at `end` in `to` and was projected to `projected`; `z` are the stages less the state at
+    /// its beginning.
     pub(super) fn new(end: S, h: S, to: X, projected: X, z: &[X; 3]) -> Self {
         let lit = S::lit;
         let [c1, c2, _] = C;
@@ -34,7 +35,7 @@ impl<S: Real, X: Vector<S>> Dense<S, X> {
         Self { end, h, to, projected, differences: [first, second, third] }
     }
 
-    /// The state at `time`.
+    /// State at `time`.
     pub(super) fn at(&self, time: S) -> X {
         let s = (time - self.end) / self.h;
         let change = self.change(s);
@@ -43,14 +44,14 @@ impl<S: Real, X: Vector<S>> Dense<S, X> {
         })
     }
 
-    /// What the polynomial adds to the state at the end, `s` steps after it.
+    /// Change of the polynomial from the state at the end, `s` steps after it.
     pub(super) fn change(&self, s: S) -> X {
         let [c1, c2, _] = C.map(|c| s - S::lit(c - 1.0));
         let [first, second, third] = &self.differences;
         X::from_fn(|i| s * (first.at(i) + c2 * (second.at(i) + c1 * third.at(i))))
     }
 
-    /// The same as powers of the fraction of the step that has passed, theta = 1 + s.
+    /// The polynomial as powers of the fraction of the step that has passed, theta = 1 + s.
     pub(super) fn path(&self) -> Path<S, X> {
         let [c1, c2, _] = C.map(S::lit);
         let zero = S::ZERO;

@@ -22,44 +22,43 @@ use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
 use crate::vector::Vector;
 
-/// Radau IIA of order 5 with three stages: L-stable, steps chosen by the error, dense output of order 3.
+/// Radau IIA of order 5 with three stages: L-stable, with error control, dense output of order 3.
 ///
-/// As the program RADAU5 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8): simplified Newton
-/// iteration that keeps the derivatives while it converges fast, one real and one complex decomposition, an error
-/// estimate of order 3. Its norm is the root mean square of error_i / (rtol' (typical_i + |x_i|)) with
-/// rtol' = 0.1 rtol^(2/3), which makes the error of the solution about rtol. A state that drifted by a tenth of rtol is
-/// projected, and the dense output is led there.
+/// As the program RADAU5 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8): simplified Newton iteration
+/// that reuses the derivatives while it converges fast, one real and one complex decomposition, an error estimate of order 3.
+/// Its norm is the root mean square of error_i / (rtol' (typical_i + |x_i|)) with rtol' = 0.1 rtol^(2/3), which makes the error
+/// of the solution about rtol. A state that drifted by a tenth of rtol is projected, and the dense output ends there.
 #[derive(Clone, Copy)]
 pub struct RadauIia5<M: Linear> {
     /// Relative tolerance; the absolute one of each state is this times its typical size.
     pub rtol: M::S,
     /// Longest step, s.
     pub longest_step: M::S,
-    /// Accepted and rejected steps that one interval may take.
+    /// Most accepted and rejected steps in one interval.
     pub most_steps: u64,
-    /// Proposal for the next step, s; none before the first.
+    /// Proposal for the next step, s; `None` before the first.
     proposal: Option<M::S>,
     control: Control<M::S>,
     steady: Steady<M::S>,
     convergence: Convergence<M::S>,
-    /// The rate at the current state, unless that has been changed.
+    /// Rate at the current state; `None` after a change of the state.
     rate: Option<M::X>,
-    /// Derivatives of the rate, at the current state or before, where they are known. They and the factors are large, and
-    /// written where they stand.
+    /// Derivatives of the rate, at the current state or an earlier one, if they are known. They and the factors are large, and
+    /// written in place.
     by_x: M::Derivatives,
     by_x_known: bool,
-    /// The derivatives are those at the current state.
+    /// True if the derivatives are those at the current state.
     by_x_here: bool,
     factors: Factors<M>,
     dense: Option<Dense<M::S, M::X>>,
     projection: Projection<M::S>,
-    /// The component with the largest error in the last step that was tried.
+    /// Component with the largest error in the last step that was tried.
     worst: usize,
-    /// That error decided how long the last step was.
+    /// True if that error decided the length of the last step.
     by_error: bool,
 }
 
-/// What was set; the rest is on its way.
+/// Shows the options only.
 impl<M: Linear<S: fmt::Debug>> fmt::Debug for RadauIia5<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { rtol, longest_step, most_steps, .. } = self;
@@ -71,19 +70,19 @@ impl<M: Linear<S: fmt::Debug>> fmt::Debug for RadauIia5<M> {
 
 /// A step that may be accepted.
 struct Trial<X> {
-    /// The stages less the state at the beginning.
+    /// Stages less the state at the beginning.
     z: [X; 3],
-    /// The state at its end.
+    /// State at its end.
     x: X,
     iterations: usize,
 }
 
-/// The estimate of the error grows with this power of the step.
+/// Power of the step with which the estimate of the error grows.
 const ORDER: u32 = 4;
-/// Derivatives are kept while corrections shrink faster than by this ratio. With a larger one there are fewer of them, and what
+/// Ratio of corrections below which derivatives are reused. With a larger ratio fewer of them are computed, but the error that
 /// iterations leave shows in the order of the method.
 const FAST: f64 = 1e-3;
-/// A proposal that is longer by less than this factor is left, so that the decomposition can be kept.
+/// Factor below which a longer proposal is not used, so that the decomposition can be reused.
 const WORTH_IT: f64 = 1.2;
 
 impl<M: Linear> Default for RadauIia5<M> {
@@ -95,7 +94,7 @@ impl<M: Linear> Default for RadauIia5<M> {
 builders!([M: Linear] RadauIia5<M>);
 
 impl<M: Linear> RadauIia5<M> {
-    /// With the relative tolerance `rtol` (not below what the scalar can resolve).
+    /// The method with the relative tolerance `rtol` (at least the resolution of the scalar).
     pub fn new(rtol: M::S) -> Self {
         let by_x = M::Derivatives::zeros();
         Self {
@@ -118,24 +117,24 @@ impl<M: Linear> RadauIia5<M> {
         }
     }
 
-    /// The tolerance of the error estimate, which is of order 3 and not of 5.
+    /// Tolerance of the error estimate, which is of order 3 and not of 5.
     fn inner_tolerance(&self) -> M::S {
         M::S::lit(0.1) * (self.tolerance().ln() * M::S::lit(2.0 / 3.0)).exp()
     }
 
-    /// The tolerance of the iteration.
+    /// Tolerance of the iteration.
     fn newton_tolerance(&self) -> M::S {
         let inner = self.inner_tolerance();
         (M::S::lit(10.0) * M::S::EPSILON / inner).max(inner.sqrt().min(M::S::lit(0.03)))
     }
 
-    /// What errors of the components count.
+    /// Weights of the errors of the components.
     fn weights(&self, context: &Context<'_, M>) -> M::X {
         let (rtol, one) = (self.inner_tolerance(), M::S::lit(1.0));
         context.system.typical().map2(&context.x, |typical, x| one / (rtol * (typical + x.abs())))
     }
 
-    /// Solves the stages of a step of `h`; or the factor of a shorter one.
+    /// Solves the stages of a step of `h`, or gives the factor of a shorter one.
     fn trial(
         &mut self,
         context: &mut Context<'_, M>,
@@ -165,8 +164,8 @@ impl<M: Linear> RadauIia5<M> {
         })
     }
 
-    /// Error of a trial step over the tolerance (Hairer and Wanner II, IV.8, eqs. (8.19) and (8.20)): filtered a second
-    /// time where the first estimate would reject and the beginning may be a fast transient.
+    /// Error of a trial step over the tolerance (Hairer and Wanner II, IV.8, eqs. (8.19) and (8.20)): filtered a second time if
+    /// the first estimate would reject and the beginning may be a fast transient.
     fn error(
         &mut self,
         context: &mut Context<'_, M>,
@@ -194,12 +193,12 @@ impl<M: Linear> RadauIia5<M> {
         norm(&estimate(&again), weights, count)
     }
 
-    /// Drift of a state over the tolerance, less what projection cannot remove.
+    /// Drift of a state over the tolerance, less the part that projection cannot remove.
     fn drift_ratio(&self, context: &Context<'_, M>, t: M::S, x: &M::X) -> M::S {
         self.projection.drift((context.system, &context.held), self.tolerance(), (t, x))
     }
 
-    /// Takes the context to the end of an accepted step, projected if the drift asks for it or the step went by rank.
+    /// Moves the context to the end of an accepted step, projected if its drift is above `limit`.
     fn arrive(
         &mut self,
         context: &mut Context<'_, M>,
@@ -222,8 +221,8 @@ impl<M: Linear> RadauIia5<M> {
         Ok(())
     }
 
-    /// The proposal after an accepted step: a step that was cut to hit the end says little of the next one, and a little
-    /// longer one is not worth a decomposition.
+    /// Proposes the step after an accepted one. A step that was cut to reach the end tells little about the next one, and a
+    /// little longer one is not worth a decomposition.
     fn propose(&mut self, proposal: M::S, h: M::S, factor: M::S) {
         let next = h * factor;
         let keep = self.by_x_known && (M::S::lit(1.0)..M::S::lit(WORTH_IT)).contains(&factor);
@@ -341,21 +340,21 @@ impl<M: Linear + Copy> ErrorControl<M> for RadauIia5<M> {
 
 impl<M: Linear + Copy> FixedLength<M> for RadauIia5<M> {}
 
-/// The largest component, each by its weight.
+/// Index of the largest component, each by its weight.
 fn largest<S: Real, X: Vector<S>>(v: &X, weights: &X) -> usize {
     let parts = v.map2(weights, |v, weight| (v * weight).abs());
     (0..X::LEN).fold(0, |most, i| if parts.at(i) > parts.at(most) { i } else { most })
 }
 
-/// Root mean square of so many components, each by its weight; NaN if there is one.
+/// Root mean square of so many components, each by its weight; NaN if one of them is.
 fn norm<S: Real, X: Vector<S>>(v: &X, weights: &X, count: usize) -> S {
     let parts = v.map2(weights, |v, weight| v * weight);
     let sum = parts.fold(S::ZERO, |sum, part| part.mul_add(part, sum));
     (sum / S::lit(count.max(1) as f64)).sqrt()
 }
 
-/// A hundredth of the time in which the rate would change the state by its size, but no less than a fraction of the
-/// interval that rounding leaves alone: a fast transient damps out, and steps grow fast from there.
+/// First step: a hundredth of the time in which the rate would change the state by its size, but at least a fraction of the
+/// interval above its rounding. A fast transient is damped, and steps grow fast from there.
 fn first_step<M: Linear>(context: &Context<'_, M>, rate: &M::X, weights: &M::X) -> M::S {
     let span = context.end - context.time;
     let typical = context.system.typical();

@@ -1,4 +1,4 @@
-//! The stages of a step by simplified Newton iteration.
+//! Stages of a step by simplified Newton iteration.
 
 use super::tableau::{ALPHA, BETA, C, GAMMA, T, T_INVERSE};
 use crate::linalg::{Both, Complex, Derivatives as _};
@@ -9,47 +9,47 @@ use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;
 
-/// Iterations after which a step is tried shorter.
+/// Most iterations before a shorter step is tried.
 pub(super) const MOST_ITERATIONS: usize = 7;
 
-/// Ratio of two corrections above which the step is rather made shorter.
+/// Ratio of two corrections above which a shorter step is preferred.
 const SLOWEST: f64 = 0.4;
 
-/// Where there are events, what is still to come is below this part of what a step moves, ...
+/// Bound of the remaining corrections if there are events, as a part of the motion in a step, ...
 const OF_THE_STEP: f64 = 1e-6;
-/// ... or below so many units in the last place, ...
+/// ... or in units in the last place, ...
 const ULPS: f64 = 64.0;
-/// ... or corrections shrink by less than this.
+/// ... or the least ratio of two corrections that no longer shrink.
 const SHRINKS: f64 = 0.5;
 
-/// The decomposed matrices gamma/h I - J and (alpha + i beta)/h I - J.
+/// Decomposed matrices gamma/h I - J and (alpha + i beta)/h I - J.
 #[derive(Clone, Copy)]
 pub(super) struct Factors<M: Linear> {
-    /// Length of the steps that they are for.
+    /// Length of the steps for which they are.
     pub(super) h: M::S,
-    /// Were they found, for the derivatives as they are?
+    /// True if they are known for the present derivatives.
     pub(super) known: bool,
     real: Resolvent<M, M::S>,
     complex: Resolvent<M, Complex<M::S>>,
 }
 
 impl<M: Linear> Factors<M> {
-    /// Room for both.
+    /// Room for both matrices.
     pub(super) fn room(by_x: &M::Derivatives) -> Self {
         Self { h: M::S::ZERO, known: false, real: by_x.room(), complex: by_x.room() }
     }
 
-    /// Are they those of steps of `h`?
+    /// True if they are those of steps of `h`.
     pub(super) fn are_of(&self, h: M::S) -> bool {
         self.known && self.h == h
     }
 
-    /// The derivatives are others.
+    /// Forgets them, since the derivatives have changed.
     pub(super) fn forget(&mut self) {
         self.known = false;
     }
 
-    /// For steps of `h`; false if a matrix is singular.
+    /// Decomposes the matrices for steps of `h`; false if one of them is singular.
     pub(super) fn decompose(&mut self, context: &mut Context<'_, M>, by_x: &M::Derivatives, h: M::S) -> bool {
         context.stats.factorisations += 1;
         self.h = h;
@@ -65,7 +65,7 @@ impl<M: Linear> Factors<M> {
         self.known
     }
 
-    /// The same again, for the steps that they are for, where they were found.
+    /// Repeats the decompositions for the length of their steps, if they were known.
     pub(super) fn again(&mut self, by_x: &M::Derivatives) {
         if self.known {
             self.found(by_x);
@@ -79,7 +79,7 @@ impl<M: Linear> Factors<M> {
         k
     }
 
-    /// The Newton correction of the transformed stages `w`, where their rates are `g`.
+    /// Newton correction of the transformed stages `w`, whose rates are `g`.
     fn correction(&self, by_x: &M::Derivatives, w: &[M::X; 3], g: &[M::X; 3]) -> [M::X; 3] {
         let [gamma, alpha, beta] = [GAMMA, ALPHA, BETA].map(|value| M::S::lit(value) / self.h);
         let [w1, w2, w3] = w;
@@ -102,12 +102,12 @@ impl<M: Linear> Factors<M> {
     }
 }
 
-/// What is known of the convergence.
+/// Convergence of the iteration.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Convergence<S> {
-    /// theta / (1 - theta), kept from step to step: how much is still to come after a correction.
+    /// theta / (1 - theta), stored from step to step: the remaining corrections relative to the last one.
     pub(super) rest: S,
-    /// The last ratio of two corrections.
+    /// Last ratio of two corrections.
     pub(super) theta: S,
 }
 
@@ -118,9 +118,9 @@ impl<S: Real> Convergence<S> {
 }
 
 impl<S: Real> Convergence<S> {
-    /// How much longer a step may be so that the iteration still converges fast enough: the ratio of two corrections
-    /// grows with h, and with h^4 where stiff springs turn (K. Gustafsson, G. Söderlind, Control strategies for the
-    /// iterative solution of nonlinear equations in ODE solvers, SIAM J. Sci. Comput. 18, 1997). One iteration says nothing.
+    /// Factor by which a step may grow so that the iteration still converges fast enough: the ratio of two corrections grows with h, and
+    /// with h^4 where stiff springs turn (K. Gustafsson, G. Söderlind, Control strategies for the iterative solution of nonlinear equations
+    /// in ODE solvers, SIAM J. Sci. Comput. 18, 1997). A single iteration gives no ratio.
     pub(super) fn growth(&self, iterations: usize) -> S {
         if iterations < 2 {
             return S::INFINITY;
@@ -129,16 +129,16 @@ impl<S: Real> Convergence<S> {
     }
 }
 
-/// How an iteration ended.
+/// Outcome of an iteration.
 pub(super) enum Outcome<X> {
-    /// The stages less the state at the beginning, after so many iterations.
+    /// Stages less the state at the beginning, after so many iterations.
     Found([X; 3], usize),
-    /// To be tried with a step shorter by this factor.
+    /// Factor of a shorter step that has to be tried.
     Failed(f64),
 }
 
-/// Iterates the stages of a step from the guess `z` (Hairer and Wanner II, IV.8, eqs. (8.10) to (8.13)). The corrections
-/// count by `weight`; what is still to come is then below `tolerance`.
+/// Iterates the stages of a step from the guess `z` (Hairer and Wanner II, IV.8, eqs. (8.10) to (8.13)). The corrections count by `weight`;
+/// the remaining ones are then below `tolerance`.
 pub(super) fn iterate<M: Linear>(
     context: &mut Context<'_, M>,
     by_x: &M::Derivatives,
@@ -166,7 +166,7 @@ pub(super) fn iterate<M: Linear>(
         }
         if iteration > 1 {
             let ratio = size / last;
-            // What is met stays so; rounding alone is left where corrections do not shrink.
+            // The tolerance stays met once it is; corrections that do not shrink are rounding.
             if let Some(iterations) = met.filter(|_| ratio >= M::S::lit(SHRINKS)) {
                 return Outcome::Found(z, iterations);
             }
@@ -193,8 +193,8 @@ pub(super) fn iterate<M: Linear>(
     met.map_or(Outcome::Failed(0.5), |iterations| Outcome::Found(z, iterations))
 }
 
-/// What may still be to come where there are events, by `weight`: a small part of what the step moves, since flights between two impacts are
-/// lower than any tolerance, or rounding.
+/// Bound of the remaining corrections if there are events, by `weight`: a small part of the motion in the step, since flights between two
+/// impacts are lower than any tolerance, or rounding.
 fn exact<M: System<S: Real>>(w: &[M::X; 3], (weight, x): (&M::X, &M::X), system: &M) -> M::S {
     let moved = mean_square(w, weight, system.states()).sqrt();
     let typical = system.typical();
@@ -204,7 +204,7 @@ fn exact<M: System<S: Real>>(w: &[M::X; 3], (weight, x): (&M::X, &M::X), system:
 }
 
 impl<S: Real> Convergence<S> {
-    /// The factor of a shorter step, where the iterations that are left will not do.
+    /// Factor of a shorter step, if the remaining iterations do not suffice.
     fn verdict(&mut self, size: S, iteration: usize) -> Option<f64> {
         let (theta, one) = (self.theta, S::lit(1.0));
         if theta >= S::lit(0.99) || !theta.is_finite() {

@@ -1,4 +1,4 @@
-//! The coefficients of Radau IIA with three stages, and the transformation that splits its linear systems.
+//! Coefficients of Radau IIA with three stages, and the transformation that splits its linear systems.
 //!
 //! Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, table IV.5.6 for the method, IV.8 and their
 //! program RADAU5 for the rest. T^-1 A^-1 T has the blocks gamma and \[alpha, -beta; beta, alpha\].

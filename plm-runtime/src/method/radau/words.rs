@@ -8,7 +8,8 @@ use crate::scalar::Scalar;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
-/// The options, and all that decides the next step. Not the decompositions, which follow from the derivatives.
+/// Options, and all data that decide the next step; without the decompositions, which follow from the
+/// derivatives.
 impl<M: Linear> InWords for RadauIia5<M> {
     fn each(&mut self, words: &mut impl Words) {
         let (zero, none) = (M::S::ZERO, M::X::fill(M::S::ZERO));

@@ -1,4 +1,4 @@
-//! The order conditions, one for each rooted tree (Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.2).
+//! Order conditions, one for each rooted tree (Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.2).
 
 extern crate std;
 
@@ -10,7 +10,7 @@ use super::tableau::*;
 const C: [f64; 22] =
     [0.0, 0.0, C2, C3, C4, C5, C6, C7, C8, C9, C10, C11, C12, C13, C14, 1.0, 1.0, 1.0, C18, C19, C20, C21];
 
-/// A stage, its row, and the stages of it.
+/// A stage, its row, and the stages of the row.
 type Row = (usize, &'static [f64], &'static [usize]);
 
 const ROWS: [Row; 20] = [
@@ -45,7 +45,7 @@ const DENSE: [usize; 14] = [1, 8, 9, 10, 11, 12, 13, 14, 15, 17, 18, 19, 20, 21]
 const ROUNDING: f64 = 4e-15;
 const ROUNDING_DENSE: f64 = 2e-13;
 
-/// A rooted tree: its order, the product gamma, and what it is at every stage.
+/// A rooted tree: its order, the product gamma, and its value at every stage.
 #[derive(Clone)]
 struct Tree {
     order: usize,
@@ -87,7 +87,7 @@ fn trees(order: usize) -> Vec<Tree> {
     all
 }
 
-/// Trees whose branches have `rest` nodes beside those chosen; branches are chosen in order.
+/// Adds the trees whose branches have `rest` nodes beside those chosen; branches are chosen in order.
 fn grow<'t>(rest: usize, from: &'t [Tree], branches: &mut Vec<&'t Tree>, all: &mut Vec<Tree>) {
     if rest == 0 {
         all.push(planted(branches));

@@ -8,7 +8,7 @@ mod tableau;
 use self::tableau::*;
 use super::embedded::{Embedded, Limits, pair};
 
-/// Verner 9(8): steps of order 9 in sixteen evaluations, dense output of order 8 in four more where it is asked for.
+/// Verner 9(8): steps of order 9 in sixteen evaluations, dense output of order 8 in four more if it is requested.
 pub type Vern9<M> = Embedded<M, Verner98>;
 
 pair! {
@@ -16,7 +16,7 @@ pair! {
     /// 2010).
     Verner98 {
         name: "Vern9", order: 9, rates: 15,
-        /// That of [`Dop853`](super::Dop853): four fifths of its evaluations there, and a fifth of its error.
+        /// As [`Dop853`](super::Dop853): four fifths of its evaluations at this tolerance, and a fifth of its error.
         rtol: 1e-9,
         limits: Limits { safety: 0.7, exponent: 1.0 / 9.0, memory: 0.0, shrink: 0.333, growth: 6.0 }
     }

@@ -1,10 +1,10 @@
-//! The coefficients of Verner's 9(8).
+//! Coefficients of Verner's 9(8).
 //!
 //! Source: J. H. Verner, Numerically optimal Runge-Kutta pairs with interpolants, Numer. Algorithms 53 (2010), the "most
 //! efficient" pair of orders 9 and 8 with sixteen stages, and the four stages for its interpolant of order 8; digits from the
-//! author's pages (J. Verner's Refuge for Runge-Kutta Pairs), of which 40 are published. Rows hold only what is not zero:
-//! the comment of each names its stages. The weights of the dense output are those that the conditions of order 8 leave: they
-//! determine them, since stages 18 to 21 are of order 8.
+//! author's pages (J. Verner's Refuge for Runge-Kutta Pairs), of which 40 are published. Rows have the coefficients that are
+//! not zero: the comment of each names its stages. The weights of the dense output follow from the conditions of order 8,
+//! which determine them, since stages 18 to 21 are of order 8.
 
 pub(super) const C2: f64 = 0.034_62;
 pub(super) const C3: f64 = 0.097_024_350_638_780_44;
@@ -145,7 +145,7 @@ pub(super) const E: [f64; 10] = [
     -0.048_342_313_738_239_585,
 ];
 
-// The stages that only the dense output needs; the seventeenth is the rate at the end of the step.
+// Stages that only the dense output needs; the seventeenth is the rate at the end of the step.
 /// 1, 8 to 15, 17.
 pub(super) const A18: [f64; 10] = [
     0.015_499_736_681_895_594,
@@ -205,7 +205,7 @@ pub(super) const A21: [f64; 13] = [
     -0.115_075_071_295_850_39,
 ];
 
-// Of stages 1, 8 to 15 and 17 to 21: what the ends of the step and their rates do not determine of the dense output.
+// Of stages 1, 8 to 15 and 17 to 21: the part of the dense output that the ends of the step and their rates do not determine.
 pub(super) const D4: [f64; 14] = [
     -10.793_501_348_291_03,
     142.244_172_812_070_67,

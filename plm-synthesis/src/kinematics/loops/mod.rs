@@ -121,7 +121,7 @@ fn forms(loops: &[Loop]) -> Option<DMatrix<Vector>> {
         }
     }
     let known = DVector::from_iterator(rows, loops.iter().map(|l| -vector(l.known)));
-    // Rows of the adjoint span what the loops see; what is orthogonal to them the loops do not.
+    // Rows of the adjoint span the part that the loops determine; the orthogonal part is free.
     let gram = &matrix * matrix.adjoint();
     let pivots = gram.clone().lu();
     let scale = size.iter().copied().fold(0.0, f64::max);

@@ -19,7 +19,7 @@ pub(super) fn off<S: Real>(unknowns: &[S; UNKNOWNS], pose: &Solved<S>, input: f6
 }
 
 impl Fit<'_> {
-    /// The angle of the crank at a position, as far as the task tells it.
+    /// The angle of the crank at a position, if the task gives it.
     pub(super) fn input(&self, position: usize) -> Option<f64> {
         match &self.problem.task {
             Task::Function { pairs, .. } => pairs.get(position).map(|pair| pair.crank),
@@ -34,7 +34,7 @@ impl Fit<'_> {
         if self.moves() { self.input(0).is_none() } else { self.problem.transmission <= 0.0 }
     }
 
-    /// What a position lacks: of the input of a four-bar that moves, or of the transmission angles.
+    /// Violations of the demands at a position: on the input of a four-bar that moves, or on the transmission angles.
     pub(super) fn demands<S: Real>(
         &self,
         unknowns: &[S; UNKNOWNS],

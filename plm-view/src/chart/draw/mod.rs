@@ -27,7 +27,7 @@ const TITLE_TEXT: f64 = 17.0;
 const TITLE_LINE: f64 = 24.0;
 const NOTE_LINE: f64 = 18.0;
 
-/// Where a frame stands.
+/// Position of a frame.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     left: f64,

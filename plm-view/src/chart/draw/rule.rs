@@ -108,7 +108,7 @@ fn quiet_place(plot: &Plot, label: &str, row: f64) -> (Anchor, Point) {
     best.1
 }
 
-/// True if a straight segment of a curve comes into a box, tried at points along it.
+/// True if a straight segment of a curve intersects a rectangle, checked at points along it.
 fn passes(ends: &[Point], space: Frame) -> bool {
     let [from, to] = ends else { return false };
     let along = |a: f64, b: f64, k: i32| a + (b - a) * f64::from(k) / 32.0;

@@ -1,4 +1,4 @@
-//! Headings of columns, as far as their texts tell names and units.
+//! Headings of columns: names and units in their texts.
 
 use super::super::Column;
 use super::unit::{is_unit, spelled};
@@ -52,11 +52,11 @@ pub(super) fn of_time(unit: &str) -> Option<[f64; 2]> {
     UNITS.iter().find(|(own, _)| *own == unit).map(|(_, factors)| *factors)
 }
 
-/// A heading, as far as it tells the time.
+/// Meaning of a heading with respect to the time.
 pub(super) enum Heading {
     /// Another quantity.
     Other,
-    /// The time, by what its numbers are multiplied and divided to be in s.
+    /// The time, with factor and divisor that convert its numbers to s.
     Time([f64; 2]),
     /// The time in a unit that is not known.
     Unit,

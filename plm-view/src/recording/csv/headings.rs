@@ -13,13 +13,13 @@ pub(super) struct Line {
     pub(super) fields: StringRecord,
 }
 
-/// What separates the fields of a line.
+/// Separators of the fields of a line that are tried.
 const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 /// Lines before the headings at most: instruments write dates and settings there.
 const PREAMBLE: usize = 200;
 /// Columns that number the lines, in small letters, as spreadsheets and tables of programs have them.
 const INDICES: [&str; 10] = ["", "index", "#", "no", "no.", "nr", "nr.", "row", "sample", "unnamed: 0"];
-/// Words in the place of a number that there is none, in small letters; of spreadsheets and of tables of programs.
+/// Texts for a missing number, in small letters; of spreadsheets and of tables of programs.
 const GAPS: [&str; 6] = ["", "na", "n/a", "#n/a", "#nv", "null"];
 
 /// The line of headings.
@@ -33,7 +33,7 @@ pub(super) struct Headings {
     units: Vec<String>,
     /// The column of the time.
     time: usize,
-    /// What its numbers are multiplied and divided by to be in s.
+    /// Factor and divisor that convert its numbers to s.
     unit: [f64; 2],
 }
 
@@ -143,7 +143,7 @@ impl Headings {
         let mut below = std::iter::from_fn(|| lines.next().ok().flatten());
         let Some(line) = below.find(|line| line.number > self.line) else { return self };
         let has_number = line.fields.iter().any(|field| number(field, self.separator).is_some());
-        // Words without a unit of the time are no units: they are told as what is no number.
+        // Texts without a unit of the time are no units: they are reported as no numbers.
         let unit = line.fields.get(self.time).map(without_brackets).and_then(of_time);
         let Some(unit) = unit.filter(|_| !has_number) else { return self };
         if self.unit == [1.0, 1.0] {

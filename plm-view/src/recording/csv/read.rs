@@ -9,7 +9,7 @@ use super::text::{self, Text};
 /// Reads a table into an empty recording, as far as it is right.
 ///
 /// # Errors
-/// What is wrong, with its line and column, what was found and what was expected.
+/// The first mistake with its line and column, the text found and the expected one.
 pub(super) fn into(recording: &mut Recording, bytes: &[u8]) -> Result<(), String> {
     let Text { lines: mut text, notice } = Text::of(bytes)?;
     let named = text::named_separator(&mut text);

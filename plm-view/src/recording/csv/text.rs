@@ -6,7 +6,7 @@ use std::borrow::Cow;
 pub(super) struct Text<'a> {
     /// UTF-8 without a byte-order mark, each line of which has a line feed at its end.
     pub(super) lines: Cow<'a, [u8]>,
-    /// What the user should know of how the bytes were read.
+    /// Notice on how the bytes were read.
     pub(super) notice: Option<String>,
 }
 

@@ -15,16 +15,16 @@ pub const EVERY: f64 = 0.1;
 pub const SAMPLES: usize = 10;
 /// The tolerance of `plm`.
 pub const TOLERANCE: f64 = 1e-10;
-/// What is off by the error of steps alone is off by a tenth at most at this fraction of the tolerance, ...
+/// Error of steps alone: at this fraction of the tolerance this share of it is left at most, ...
 const FINER: f64 = 0.01;
 const LESS: f64 = 0.1;
-/// ... and by no more than so many times what is allowed.
+/// ... and the error is no more than so many times what is allowed.
 const MOST_BY_STEPS: f64 = 10.0;
-/// What may be off where nothing grows, of 1 and the number.
+/// Largest error of a motion that does not amplify changes: of a number relative to 1 + its magnitude, of the time of an event in s.
 const ALLOWED: f64 = 3e-8;
 /// So many times the effect of a change of 1e-9 in the numbers of the mechanism may be off.
 const TIMES: f64 = 30.0;
-/// Where that change has become so large the motion is not comparable any more.
+/// Difference of the reference's runs from which on a motion is not compared: a small change has become too large.
 const SENSITIVE: f64 = 1e-4;
 const CHANGE: f64 = 1e-9;
 /// Longest steps of the reference, and of its second run.
@@ -47,7 +47,7 @@ pub struct Case {
     seeds: Random,
 }
 
-/// What a run of `plm` was.
+/// Verdict on a run of `plm`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     Right,
@@ -76,7 +76,7 @@ pub struct Judged {
     pub verdict: Verdict,
     /// The largest difference as a share of what is allowed.
     pub worst: f64,
-    /// What time stepping says of a run that the reference does not judge to its end.
+    /// Comparison with time stepping, of a run without a fault whose verdict is neither right, sensitive nor coarse.
     pub stepping: Option<Stepping>,
     pub impacts: usize,
     pub events: usize,

@@ -23,7 +23,7 @@ impl Pace {
     pub const ALL: [Self; 5] = [Self::Watched, Self::Samples, Self::Milli, Self::Whole, Self::Saved];
 }
 
-/// What is to be run.
+/// Order of a run: numbers, starts, samples and method.
 pub struct Order<'c> {
     pub numbers: &'c [f64],
     pub starts: &'c [Start<f64>],
@@ -53,7 +53,7 @@ pub struct Sample {
     pub energies: [f64; 2],
 }
 
-/// What came of it.
+/// Outcome of a run.
 #[derive(Debug, Default)]
 pub struct Outcome {
     pub samples: Vec<Sample>,
@@ -85,7 +85,7 @@ pub fn run<M: Look<S = f64>>(built: M, order: &Order) -> Outcome {
     }
 }
 
-/// What comes of a run that `run` makes.
+/// Outcome of a run that `run` makes; of a failed start its fault.
 fn outcome<M: Look<S = f64>, I: plm_runtime::Method<M>>(
     started: Result<Sim<M, I>, Fault>,
     run: impl FnOnce(&mut Sim<M, I>, &mut Outcome) -> Result<(), Fault>,

@@ -9,10 +9,10 @@ const STEPS: [f64; 2] = [2e-4, 1e-4];
 const TIMES: f64 = 10.0;
 /// ... and by this, of 1 and the number.
 const ALLOWED: f64 = 1e-4;
-/// Where half the step changes more, nothing can be said.
+/// Largest change by half the step, of 1 and the number, at which time stepping can judge.
 const OPEN: f64 = 1e-2;
 
-/// What time stepping says of a run from event to event.
+/// Verdict of time stepping on a run from event to event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stepping {
     Agrees,

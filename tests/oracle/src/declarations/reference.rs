@@ -28,7 +28,7 @@ pub(super) struct Scene {
     reference: OnceLock<Result<Reference, Error>>,
 }
 
-/// What the reference says.
+/// Motion of the reference at some times, with figures that bound the errors of other runs.
 pub(super) struct Reference {
     /// Until when it is compared, s.
     pub(super) end: f64,

@@ -9,7 +9,7 @@ use crate::pages;
 
 use super::reference::Scene;
 
-/// Where Rust files with `mechanism!` stand that are shown.
+/// Folders of Rust files for readers, some of which have a `mechanism!`.
 const FOLDERS: [&str; 4] = ["examples", "benches", "plm-optimise/examples", "plm-program/examples"];
 
 /// All of them, those that ask for no formulation twice.
@@ -56,7 +56,7 @@ impl Found {
     }
 }
 
-/// Where the inside of a mechanism begins, after its bracket.
+/// Index after the bracket that opens the mechanism; `None` in a text of parts alone.
 fn opens(text: &str) -> Option<usize> {
     let mut at = 0;
     for line in text.split_inclusive('\n') {

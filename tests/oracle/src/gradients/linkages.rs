@@ -21,7 +21,7 @@ pub(super) fn double_pendulum(draw: &mut Draw) -> Machine {
     Machine { family: "double pendulum", text, until: until(draw), known: Known::Differences }
 }
 
-/// The same, where a condition sets a speed on the way.
+/// Double pendulum of which a condition sets a speed on the way.
 pub(super) fn thrown(draw: &mut Draw) -> Machine {
     let after = draw.rounded(0.02, 0.2);
     let set = *draw.one_of(&[

@@ -27,11 +27,11 @@ struct Machine {
     text: String,
     /// s.
     until: f64,
-    /// What is known of its derivatives.
+    /// Expectation of its derivatives.
     known: Known,
 }
 
-/// What is known of the derivatives of a machine.
+/// Expectation of the derivatives of a machine.
 #[derive(Clone, Copy, PartialEq)]
 enum Known {
     /// They are what differences of runs tell.

@@ -17,7 +17,7 @@ use std::time::Duration;
 use crate::draw::Draw;
 use crate::sweep::{Case, Verdict};
 
-/// What a call has come to.
+/// Outcome of a call that has ended.
 pub(crate) enum Outcome {
     /// A result, of a function that has no errors or whose errors are not for numbers.
     Done,

@@ -9,7 +9,7 @@ const SLOW: f64 = 1e-7;
 /// Nearer to an event than this it is not decided whether it was, s.
 const NEAR: f64 = 1e-6;
 
-/// What is known of a time.
+/// Closed form at a time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known {
     /// x, vx, y, vy.

@@ -8,7 +8,7 @@ use super::Mechanism;
 /// How it finds events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Finds {
-    /// Where indicators change their signs, by halves.
+    /// By bisection for the time at which an indicator changes its sign.
     ByHalves,
     /// By indicators at the ends of its steps.
     AtSteps,

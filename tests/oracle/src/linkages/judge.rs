@@ -1,4 +1,4 @@
-//! What `plm` says about a case beside what the reference says.
+//! Verdicts on cases: `plm` beside the reference.
 
 use plm_runtime::{Cause, Fault};
 
@@ -15,7 +15,7 @@ const STAGES: [Accuracy; 4] = [
     Accuracy { order: 25, tolerance: 1e-19 },
     Accuracy { order: 30, tolerance: 1e-24 },
 ];
-/// Where the two differ by more than this, what is between them is not known well enough to judge by.
+/// Largest difference of two successive stages, as a fraction of the size, at which the reference knows the motion.
 const KNOWN: f64 = 1e-8;
 /// The start is moved by so much, rad or m, to see what becomes of it.
 const MOVED: f64 = 1e-9;
@@ -68,7 +68,7 @@ impl Mode {
     }
 }
 
-/// What came of a case.
+/// Verdict on a run of a case.
 #[derive(Clone, Debug)]
 pub enum Verdict {
     Right,
@@ -100,7 +100,7 @@ pub struct Judged {
     /// by more than allowed.
     pub worst: f64,
     pub first: Option<f64>,
-    /// What the reference thinks of its own error, and by how much the motion multiplies a change at its start.
+    /// Estimated error of the reference, and the factor by which the motion multiplies a change at its start.
     pub own: f64,
     pub lively: f64,
     /// Two runs with the same samples, fault and number of steps have the same fingerprint.
@@ -118,7 +118,7 @@ pub struct Known {
     own: f64,
 }
 
-/// What errors are measured by.
+/// Sizes of quantities in the motion: errors are fractions of them.
 pub struct Sizes {
     length: f64,
     angle: f64,

@@ -1,4 +1,4 @@
-//! What the command line asks for.
+//! Options of the command line.
 
 use plm_program::{Arguments, BadOption, Known};
 
@@ -56,7 +56,7 @@ impl Options {
     /// Those of the command line; nothing where help was asked for and printed.
     ///
     /// # Errors
-    /// What is wrong with them, in a sentence.
+    /// [`BadOption`], whose text says in a sentence what is wrong.
     pub fn from_args() -> Result<Option<Self>, BadOption> {
         let given = Arguments::from_args(&KNOWN)?;
         if let Some(help) = given.help() {

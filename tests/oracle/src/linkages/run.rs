@@ -22,7 +22,7 @@ impl By {
     pub const ALL: [Self; 7] =
         [Self::Dop853, Self::Vern9, Self::Dopri5, Self::Rk4, Self::Gauss, Self::Radau, Self::Ros34Pw2];
 
-    /// Whether its steps have a fixed length, which decides how exact it is.
+    /// True if its steps have a fixed length, which decides how exact it is.
     pub fn fixed(self) -> bool {
         matches!(self, Self::Rk4 | Self::Gauss | Self::Ros34Pw2)
     }
@@ -64,7 +64,7 @@ impl Pace {
 /// Samples are so far apart, s.
 pub const EVERY: f64 = 0.025;
 
-/// What is to be run.
+/// Order of a run: numbers, starts, samples, method and pace.
 pub struct Order<'c> {
     pub numbers: &'c [f64],
     pub starts: &'c [Start<f64>],
@@ -86,7 +86,7 @@ pub struct Seen {
     pub energy: [f64; 2],
 }
 
-/// What came of it.
+/// Outcome of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
     pub seen: Vec<Seen>,

@@ -1,6 +1,6 @@
 //! A mechanism as numbers: what a declaration's parameters are set to, and what the reference solves.
 
-/// What a declaration has, in its order.
+/// Structure of a declaration by names, in its order.
 pub struct Shape {
     pub name: &'static str,
     /// Names of the ports of the ground.
@@ -47,7 +47,7 @@ pub struct Joint {
     pub rest: f64,
 }
 
-/// What drives the first joint: `push (S((t - begin)/rise) - 2 S((t - turn)/fall))`, S the step 3u^2 - 2u^3 from 0 to 1:
+/// Load on the first joint: `push (S((t - begin)/rise) - 2 S((t - turn)/fall))`, S the step 3u^2 - 2u^3 from 0 to 1:
 /// it waits, begins and reverses.
 #[derive(Clone, Copy, Debug)]
 pub struct Load {
@@ -121,7 +121,7 @@ impl Scene {
         body.map_or_else(|| self.ground[port], |body| self.bodies[body].ports[port])
     }
 
-    /// The same, to change them.
+    /// Mutable numbers of a frame.
     pub fn port_mut(&mut self, (body, port): Frame) -> &mut Port {
         match body {
             None => &mut self.ground[port],
@@ -135,7 +135,7 @@ impl Scene {
         self.rests.push((frame, rest));
     }
 
-    /// What rounding has left out of a port's place along x, m.
+    /// Remainder of a port's place along x that rounding has left out, m; 0 if none is known.
     pub fn rest(&self, frame: Frame) -> f64 {
         self.rests.iter().find(|(of, _)| *of == frame).map_or(0.0, |(_, rest)| *rest)
     }

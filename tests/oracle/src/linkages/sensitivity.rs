@@ -22,13 +22,13 @@ struct Beside {
     known: Result<Known, Option<Stop>>,
 }
 
-/// What came of all cases and drives.
+/// Results of all cases and drives.
 struct Swept {
     fingerprints: Vec<u64>,
     /// Of f64: ended `Ok` and off, and ended where the motion goes on.
     wrong: usize,
     stopped: usize,
-    /// The same of f32, both together.
+    /// Runs in f32 that ended `Ok` and off, and that ended where the motion goes on.
     single: usize,
     /// Drives of which something is wrong.
     drives: usize,

@@ -1,4 +1,4 @@
-//! What came of all cases, by kind and mode.
+//! Table of verdicts, by kind and mode.
 
 use crate::cases::KINDS;
 use crate::judge::{Judged, Mode, Verdict};

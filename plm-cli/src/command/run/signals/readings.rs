@@ -18,7 +18,7 @@ pub(super) struct Signal {
 }
 
 impl Signal {
-    /// What the last reading is at a time, s; the first one before all.
+    /// The last reading up to a time, s; the first one before all.
     pub(super) fn held(&self, time: f64) -> f64 {
         let after = self.times.partition_point(|own| *own <= time);
         self.values[after.saturating_sub(1)]

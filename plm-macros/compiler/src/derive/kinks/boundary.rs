@@ -37,7 +37,7 @@ pub(super) enum Order {
     Smooth,
 }
 
-/// Where the sides of a condition meet.
+/// Boundary of a condition, on which both sides meet: random places on it, and its time if that is one known number.
 pub(in crate::derive) struct Boundary {
     /// Values of all symbols in some places on the boundary.
     places: Vec<Vec<(Expr, f64)>>,
@@ -145,7 +145,7 @@ fn onto(difference: Expr, symbol: Expr, slope: Expr, values: &mut [(Expr, f64)])
     false
 }
 
-/// Where `d` vanishes that is linear in the symbol `s`: `s - d / d'`.
+/// Root of `d`, which is linear in the symbol `s`: `s - d / d'`.
 pub(in crate::derive) fn root(d: Expr, s: Expr, slope: Expr) -> Expr {
     s - d / slope
 }

@@ -183,7 +183,7 @@ fn straight_line(emission: &Emission, k: usize, (sliding, origin): Of) -> [Token
     [known, sweep, size]
 }
 
-/// Where all rows slip, the rate by sweeps.
+/// Branch of the rate for states in which all rows slip: it solves by sweeps, and returns if these converge. `None` without such rows.
 pub(super) fn rate(emission: &Emission) -> Option<TokenStream> {
     are_there(emission).then(|| {
         quote! {

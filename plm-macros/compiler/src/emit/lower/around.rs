@@ -10,7 +10,7 @@ pub(in crate::emit) struct Around<'a> {
     pub(in crate::emit) by_reference: bool,
     /// The type of the numbers.
     pub(in crate::emit) scalar: &'a str,
-    /// Where it has an argument `DIRECT`: angles that this tells of, whether their sines and cosines need no branch.
+    /// Angles of which the argument `DIRECT` says that their sines and cosines need no branch; `None` without such an argument.
     pub(in crate::emit) direct: Option<&'a [Expr]>,
     /// Is what repeats itself written as loops?
     pub(in crate::emit) rerolled: bool,

@@ -206,7 +206,7 @@ impl<'a> Resolver<'a> {
         Ok((value, expr.span))
     }
 
-    /// Where the origin of a body's coordinates is, worked out at its first use.
+    /// Coordinate system in which a body is declared, evaluated at its first use.
     pub(crate) fn placement(&mut self, body: usize) -> Eval<Placement> {
         // Ports are looked at first, and tell of a circle.
         self.lazy(|of| &mut of.unresolved.bodies[body].placement, |_| (), |of| of.evaluate_placement(body))

@@ -152,7 +152,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("tau", "torque"),
 ];
 
-/// Where a part that is no joint is asked to let go.
+/// Help for a `when` in the use of a part that is no joint.
 const NO_JOINT_LETS_GO: &str = "joints and rows of your own take a `when`; of another part a parameter changes by a condition, \
                                 `if t < 1 s then 10 N/m else 0 N/m`";
 

@@ -28,7 +28,7 @@ pub(crate) struct UnresolvedPort<'a> {
     pub(crate) frame: Lazy<FrameGeometry>,
 }
 
-/// Where a frame is.
+/// Position and angle of a frame.
 #[derive(Clone, Copy)]
 pub(crate) struct FrameGeometry {
     /// Its point from G, in the axes of the body; on the ground from the origin.
@@ -47,7 +47,7 @@ pub(crate) struct FrameGeometry {
     pub(crate) reads: Reads,
 }
 
-/// Where the origin of a body's coordinates is, and how they are turned.
+/// Coordinate system in which a body is declared.
 #[derive(Clone, Copy)]
 pub(crate) struct Placement {
     /// Are they those of the assembled drawing (manual, section 4.3.2: absolute)?

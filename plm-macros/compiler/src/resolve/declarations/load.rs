@@ -14,11 +14,11 @@ use crate::units::Dimension;
 /// Force or torque of a part on a body or on the ground.
 #[derive(Clone, Copy)]
 pub(crate) struct Action {
-    /// Where it was declared.
+    /// Scope of its declaration.
     pub(crate) scope: ScopeId,
     /// `None` is the ground.
     pub(crate) body: Option<usize>,
-    /// Where the force acts: from G of the body in absolute axes; on the ground from the origin.
+    /// Lever arm of the force, m: from G of the body in absolute axes; on the ground from the origin.
     pub(crate) arm: Vec2,
     /// The force in absolute axes, N.
     pub(crate) force: Vec2,

@@ -110,7 +110,7 @@ impl<'a> Resolver<'a> {
         Some(NamedRow { name: full, part, span, lambda })
     }
 
-    /// Where a row was written.
+    /// Place of the equation of a row.
     pub(crate) fn row_declared(&self, row: usize) -> Declared {
         let UnresolvedRow { scope, left, right, .. } = self.unresolved.rows[row];
         Declared { span: left.span.to(right.span), uses: self.names.uses(scope) }

@@ -29,7 +29,7 @@ pub(crate) struct UnresolvedState<'a> {
     pub(crate) name: Name,
     symbol: Expr,
     pub(crate) unit: DisplayUnit,
-    /// Where it starts: as the use of its part says, else as it is declared.
+    /// Start value, and the scope in which it is evaluated: from the use of its part if that sets it, else from its declaration.
     start: Option<(ScopeId, &'a ast::Expr)>,
     locked: bool,
     /// Stands for its rate where that is used before it is known.

@@ -28,7 +28,7 @@ pub(crate) const WORDS: [&str; 3] = [COMPLIANCE, ROTARY, RELAXATION];
 struct Word<'a> {
     instance: usize,
     name: &'static str,
-    /// Where the joint is used.
+    /// Scope in which the joint is used, and the value of the word is evaluated.
     scope: ScopeId,
     field: &'a Field,
 }

@@ -45,7 +45,8 @@ pub(crate) struct Names<'a> {
 /// Names of one block.
 #[derive(Default)]
 pub(crate) struct Scope<'a> {
-    /// Where to look next: from one turn of a repetition to what encloses it.
+    /// Scope in which a name is looked up next: the one around a turn of a repetition, a `given`, or a function that is handed over. `None`
+    /// for the mechanism and for parts.
     pub(crate) parent: Option<ScopeId>,
     /// Names of values, parts, bodies.
     pub(crate) names: SortedMap<Cow<'a, str>, SlotId>,
@@ -77,7 +78,7 @@ pub(crate) enum RowId {
 
 /// A named value.
 pub(crate) struct Slot<'a> {
-    /// Where it was declared.
+    /// Span of its declaration.
     pub(crate) span: Span,
     /// Has an expression named it?
     pub(crate) is_read: bool,

@@ -27,7 +27,7 @@ pub(crate) struct DrawnPose {
     welded: Vec<bool>,
 }
 
-/// Where a body, or the ground, stands.
+/// Pose of a body, at its G, or of the ground, at the origin.
 #[derive(Clone, Copy)]
 struct Stand {
     position: Vec2,
@@ -200,7 +200,7 @@ impl<'a> Resolver<'a> {
 /// A joint that is a kinematic pair, the frames that it joins, and where these stand on their bodies.
 type DrawnJoint = (Pair, [FrameRef; 2], [FrameGeometry; 2]);
 
-/// Where a joint puts a body, given the one that it is joined to.
+/// Pose of the unknown body by a joint to the known one. Its declared pose supplies what the joint leaves open.
 fn placed_by(
     pair: Pair,
     frames: &[FrameGeometry; 2],

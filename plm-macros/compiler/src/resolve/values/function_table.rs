@@ -77,7 +77,7 @@ pub(crate) enum Gives {
     Angle,
 }
 
-/// Where a function is defined.
+/// Domain of a function of one number, and its words in messages.
 pub(crate) struct Domain {
     pub(crate) holds: fn(f64) -> bool,
     pub(crate) text: &'static str,

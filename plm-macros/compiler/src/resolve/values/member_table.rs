@@ -18,7 +18,7 @@ pub(crate) struct Member {
     pub(crate) order: u8,
     /// Its owners.
     owners: &'static [Owner],
-    /// Where it is shown, in this order, when bodies and ports are observed.
+    /// Owners of which it is shown when they are observed, in the order of the table.
     observed: &'static [Owner],
 }
 

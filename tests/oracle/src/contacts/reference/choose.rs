@@ -25,7 +25,7 @@ pub struct Choice {
     pub slack: f64,
 }
 
-/// What a row may do: modes in the order of preference, and whether it rests.
+/// Modes that a row may have, in the order of preference, and whether it rests.
 #[derive(Clone, Debug)]
 pub struct Allowed {
     pub modes: Vec<Mode>,

@@ -3,7 +3,7 @@
 use super::linear::{solve, solve_one};
 use super::world::{Bound, Force, Law, Pose, Seen, World};
 
-/// What a row does.
+/// Mode of a row of contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     Open,
@@ -51,7 +51,7 @@ pub struct Problem {
     /// Forces of the joints' rows.
     pub joints: Vec<Affine>,
     free: Vec<f64>,
-    /// What each row's force adds to the accelerations of the coordinates.
+    /// Accelerations of the coordinates by a unit force of each row, with the reactions of the joints to it.
     response: Vec<Vec<f64>>,
 }
 
@@ -116,7 +116,7 @@ impl Problem {
         Self { laws, rows, c, d, joints: forces, free, response }
     }
 
-    /// The same with rates in the place of accelerations and impulses in that of forces: own bounds carry no impulse.
+    /// Problem of an impact: rates in the place of accelerations and impulses in that of forces. Own bounds carry no impulse.
     pub fn of_rates(&self) -> Self {
         let mut problem = self.clone();
         problem.c = self.rows.iter().map(|row| row.rate).collect();

@@ -28,7 +28,7 @@ pub struct State {
     pub v: Vec<f64>,
 }
 
-/// What is held between two events.
+/// Discrete state, which is constant between two events.
 #[derive(Clone, Debug)]
 pub struct Held {
     pub modes: Vec<Mode>,

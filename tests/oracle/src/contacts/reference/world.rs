@@ -1,4 +1,4 @@
-//! What the reference knows of a mechanism: rigid bodies with three coordinates each, and functions of them.
+//! Mechanisms as the reference knows them: rigid bodies with three coordinates each, and functions of these coordinates.
 
 /// A point of a body, or of the ground.
 pub type At = (Option<usize>, [f64; 2]);
@@ -24,7 +24,7 @@ pub enum Force {
     Spring { place: Place, stiffness: f64, rest: f64, damping: f64 },
 }
 
-/// What bounds a friction.
+/// Bound of a friction: the sum of its own, of a share of a push and of a share of a reaction.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bound {
     /// Its own, against a slip forwards and backwards.
@@ -37,7 +37,7 @@ pub struct Bound {
     pub adhesion: f64,
 }
 
-/// What a row of contact says.
+/// Law of a row of contact.
 #[derive(Clone, Copy, Debug)]
 pub enum Law {
     Gap { restitution: f64 },

@@ -156,7 +156,7 @@ impl Case {
         all
     }
 
-    /// Whether numbers of this precision can tell which motion it is: `epsilon` is their unit in the last place.
+    /// True if numbers of this precision can tell which motion it is; `epsilon` is their unit in the last place of 1.
     pub fn decidable(&self, epsilon: f64) -> bool {
         // Lengths of 1.5 m that differ by four units in their last place are not equal, nor what a sum of four of them is off by.
         let least = 8.0 * epsilon;

@@ -3,7 +3,7 @@
 use crate::random::Random;
 use crate::reference::dd::Dd;
 
-/// What lengths are whole numbers of.
+/// Unit of lengths: each is a whole multiple of it.
 #[derive(Clone, Copy, Debug)]
 pub enum Ruler {
     /// 1/256 m, those that are drawn of 1/64 m: numbers of `f64` and their sums are exact.

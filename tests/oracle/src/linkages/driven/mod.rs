@@ -25,7 +25,7 @@ const EXACT: f64 = 1e-8;
 /// Within so many evaluations after the last step.
 const AT_ONCE: u64 = 200;
 
-/// What came of a run: its end, the places of what the dyad joins, and evaluations.
+/// Outcome of a run: its end, the places of two points of the dyad, m, and evaluations.
 struct Run {
     end: Result<(), Fault>,
     time: f64,
@@ -67,11 +67,11 @@ struct Driven {
     absolute: bool,
 }
 
-/// What came of a drive.
+/// Verdict on a drive.
 pub struct Told {
     /// It locks up.
     pub locks: bool,
-    /// What is wrong, if anything is.
+    /// Failure in words, if there is one.
     pub wrong: Option<String>,
     /// Of its end: places, time and fault.
     pub fingerprint: u64,
@@ -106,7 +106,7 @@ impl Driven {
     }
 }
 
-/// What is wrong with a case, if anything is; `seen` is given the run.
+/// Failure of a case in words, if there is one; `seen` is given the run if it starts.
 fn judge(driven: &Driven, seen: impl FnOnce(&Run)) -> Option<String> {
     let Driven { drive, by, .. } = driven;
     let lock = drive.lock();

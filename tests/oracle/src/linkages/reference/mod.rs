@@ -15,7 +15,7 @@ pub use taylor::{Accuracy, Motion, Stop};
 
 use crate::scene::Scene;
 
-/// Where a scene starts: guesses of pose and velocity, and which coordinates (3 a body) are kept.
+/// Start of a scene: guesses of pose and velocity, and the coordinates (3 a body) that are kept.
 #[derive(Clone, Debug, Default)]
 pub struct Begin {
     pub q: Vec<f64>,
@@ -44,7 +44,7 @@ pub struct Course {
 /// The scene assembled: pose and velocity that satisfy the constraints to all digits.
 ///
 /// # Errors
-/// Where the joints stay open.
+/// [`Stop::Open`] if no pose or no velocities are found that satisfy the constraints.
 pub fn assemble(scene: &Scene, begin: &Begin) -> Result<(Vec<Dd>, Vec<Dd>), Stop> {
     let mut model = Model::new(scene);
     let mut weights = vec![Dd::ONE; model.inverse.len()];
@@ -77,7 +77,7 @@ pub fn assemble(scene: &Scene, begin: &Begin) -> Result<(Vec<Dd>, Vec<Dd>), Stop
 /// The motion from an assembled state, sampled at `times`.
 ///
 /// # Errors
-/// Where it cannot be followed.
+/// [`Stop::Creeps`] if steps become too short or too many.
 pub fn follow(
     scene: &Scene,
     (q, v): (Vec<Dd>, Vec<Dd>),

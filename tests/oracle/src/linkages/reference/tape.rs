@@ -26,7 +26,7 @@ pub struct Tape {
     nodes: Vec<Node>,
     /// Coefficients, one list a node.
     pub series: Vec<Vec<Dd>>,
-    /// What the last order has gained by a correction.
+    /// Corrections by [`Tape::correct`] to the coefficients of the last order, by node.
     gain: Vec<Dd>,
     /// `1/k` of every order `k` but zero.
     inverse: Vec<Dd>,

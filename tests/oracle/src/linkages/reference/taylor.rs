@@ -13,7 +13,7 @@ use super::model::Model;
 pub struct Accuracy {
     /// Order of the series.
     pub order: usize,
-    /// What its last terms may add, as a fraction of the size.
+    /// Bound of its last two terms, as a fraction of the size.
     pub tolerance: f64,
 }
 
@@ -58,7 +58,7 @@ impl Motion {
     /// Follows the motion to `end`; `observe` sees each step with its end, s.
     ///
     /// # Errors
-    /// Where steps become too short.
+    /// [`Stop::Creeps`] if steps become too short or too many.
     pub fn advance(&mut self, end: f64, mut observe: impl FnMut(&Self, f64)) -> Result<(), Stop> {
         while self.time.hi < end {
             self.expand();

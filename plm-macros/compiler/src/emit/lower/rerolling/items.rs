@@ -14,7 +14,7 @@ use plm_cas::{Op, Tape};
 use super::super::sines::is_pair;
 use super::super::{Bindings, MOST_TERMS};
 
-/// Where an operand comes from.
+/// Source of an operand.
 #[derive(Clone, Copy)]
 pub(super) enum Source {
     /// A constant.
@@ -33,7 +33,7 @@ pub(super) struct Item {
     pub(super) shape: usize,
     /// Its instructions, by their places in [`Items::ops`]; the last is the value. A store has none.
     pub(super) ops: Range<usize>,
-    /// Where its operands come from, in order, by their places in [`Items::sources`].
+    /// Sources of its operands, in order, by their places in [`Items::sources`].
     pub(super) sources: Range<usize>,
     /// Which result a store stores.
     pub(super) stores: Option<usize>,

@@ -1,4 +1,4 @@
-//! Where a row of items repeats itself.
+//! Regions of a row of items: periodic repetitions, which become loops.
 //!
 //! Items repeat with a period if those a period apart have the same shape, and if each of their operands moves on by the same
 //! step from one repetition to the next: by a period, by nothing, along an array. Which constant it is may change.

@@ -71,7 +71,7 @@ impl Memory {
         boxes.chain(angles).chain(&self.areas).chain(followed).copied().collect_vec()
     }
 
-    /// Where each of [`Memory::symbols`] stands in the runtime's `Continuation`.
+    /// Paths of [`Memory::symbols`] in the runtime's `Continuation`, in their order.
     pub(crate) fn paths(&self) -> Vec<String> {
         let freedom = self.boxes.len().saturating_sub(1);
         let times = self.boxes.iter().skip(freedom).map(|_| "time".to_owned());
@@ -119,7 +119,8 @@ impl Memory {
         self.areas.get(dyad).copied()
     }
 
-    /// Where an unknown was, and by how much it should have moved until `time`; of displacements, over the size of the scene.
+    /// Last value of an unknown, and its change until `time` by extrapolation of second order; of displacements, over the size of the
+    /// scene. `None` if the unknown is not followed.
     pub(crate) fn moved(&self, unknown: usize, time: Expr) -> Option<[Expr; 2]> {
         let [value, rate, bend] = (*self.followed.get(unknown)?)?;
         let [last, _] = *self.boxes.last()?;
