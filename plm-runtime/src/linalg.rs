@@ -76,14 +76,19 @@ struct Rows<'a, S> {
     numbers: &'a mut [S],
     /// Room for columns.
     stride: usize,
-    /// Columns up to the last one that is not zero.
+    /// Columns up to the last one that is not zero; of numbers with derivatives all.
     width: usize,
 }
 
 impl<'a, S: Real> Rows<'a, S> {
     fn of(numbers: &'a mut [S], stride: usize) -> Self {
-        let widths = numbers.chunks(stride.max(1)).filter_map(|row| row.iter().rposition(is_filled));
-        let width = widths.max().map_or(0, |last| last + 1);
+        // A number with derivatives may be zero by its value alone.
+        let width = if S::HAS_DERIVATIVES {
+            stride
+        } else {
+            let widths = numbers.chunks(stride.max(1)).filter_map(|row| row.iter().rposition(is_filled));
+            widths.max().map_or(0, |last| last + 1)
+        };
         Self { numbers, stride, width }
     }
 

@@ -1,6 +1,7 @@
 //! Orthogonalisation of rows against nalgebra's singular values and QR.
 
 use nalgebra::{DMatrix, DVector};
+use plm_runtime::Dual;
 use plm_runtime::absolute::accelerate;
 use plm_runtime::linalg::{dot, identity, rotate};
 
@@ -156,5 +157,24 @@ fn room_after_a_matrix_changes_no_bit() {
             .map_with_location(|i, j, number| if i < 6 { number } else { a.column(j).sum() });
         let b = DVector::from_fn(7, |_, _| random.unit());
         assert_eq!(bits::<7, 9>(&a, &b), bits::<16, 24>(&a, &b), "seed {seed}");
+    }
+}
+
+/// What is zero in value may have derivatives: rotations of constant rows carry tangents as they carry numbers.
+#[test]
+fn rotations_carry_derivatives_of_zeros() {
+    for seed in 0..50 {
+        let mut random = Random(seed);
+        let (u, v) = factors::<5, 4>(&mut random, 3, 0.0);
+        let a = u * v.transpose();
+        let rows: [[f64; 4]; 5] = core::array::from_fn(|i| core::array::from_fn(|j| a[(i, j)]));
+        let tangents: [[f64; 3]; 5] = core::array::from_fn(|_| core::array::from_fn(|_| random.unit()));
+        let (mut plain, mut carried) = (rows, tangents);
+        rotate(&mut plain, &mut carried).unwrap();
+        let dual = |value: f64, tangent: f64| Dual { value, tangents: [tangent] };
+        let mut lifted = rows.map(|row| row.map(|value| dual(value, 0.0)));
+        let mut zeros = tangents.map(|row| row.map(|tangent| dual(0.0, tangent)));
+        rotate(&mut lifted, &mut zeros).unwrap();
+        assert_eq!(zeros.map(|row| row.map(|dual| dual.tangents[0])), carried, "seed {seed}");
     }
 }
