@@ -1,7 +1,7 @@
 //! The text that the compiler emits for eight mechanisms, word for word.
 //!
 //! Beside each declaration, `tests/snapshots/*.plm`, stands its emitted code, formatted. A change of emission shows in these files,
-//! line by line: `PLM_BLESS=1 cargo test --test emitted` writes them anew. The test `snapshots` compiles and runs them.
+//! line by line: `PLM_BLESS=1 cargo test --test emitted` writes them anew. The test `bits` compiles and runs them.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 #[path = "snapshots/blessed.rs"]

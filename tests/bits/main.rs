@@ -35,6 +35,8 @@ mod first_steps;
 mod from_text;
 #[path = "../support/linearised.rs"]
 mod linearised;
+#[cfg(feature = "jit")]
+mod machine_code;
 #[path = "../contact/machines.rs"]
 mod machines;
 mod massless;

@@ -16,13 +16,21 @@ struct Text {
 
 const BLESS: Option<(&str, &str)> = Some(("PLM_BLESS", "1"));
 
-const TEXTS: [Text; 14] = [
+const TEXTS: [Text; 15] = [
     Text {
         name: "ui",
         what: "what rustc prints for wrong declarations: tests/ui/**/*.stderr",
         is_compared: true,
         variable: Some(("TRYBUILD", "overwrite")),
         command: "cargo test -p plm-ui",
+    },
+    // Before all that compiles these files.
+    Text {
+        name: "snapshots",
+        what: "emitted code: tests/snapshots/",
+        is_compared: true,
+        variable: BLESS,
+        command: "cargo test --test emitted",
     },
     Text {
         name: "book",
@@ -32,11 +40,11 @@ const TEXTS: [Text; 14] = [
         command: "cargo test -p plm-compiler -p plm-cli --test book --test cli",
     },
     Text {
-        name: "snapshots",
-        what: "what is emitted, and the bits of first steps: tests/snapshots/",
+        name: "bits",
+        what: "the bits of first steps of what is emitted: tests/snapshots/bits.txt",
         is_compared: true,
         variable: BLESS,
-        command: "cargo test --test emitted --test bits",
+        command: "cargo test --test bits first_steps",
     },
     Text {
         name: "figures",
