@@ -12,7 +12,6 @@ use crate::places::Room;
 pub(crate) struct Contacts {
     pub(crate) lowered: &'static lowered::Contacts,
     pub(crate) names: &'static [&'static str],
-    pub(crate) guard_names: &'static [&'static str],
     /// Coefficients of restitution of the rows.
     pub(crate) restitutions: Vec<Code>,
     pub(crate) exist: Option<Code>,
@@ -64,7 +63,6 @@ impl Contacts {
         };
         Some(Contacts {
             names: texts(of.rows.iter().map(|row| &row.name)),
-            guard_names: texts(&of.guard_names),
             restitutions: of.rows.iter().map(|row| Code::new(&row.restitution, &["values"], state)).collect(),
             exist: of.exist.as_ref().map(|exist| Code::new(exist, &["exist"], state)),
             charts: of.charts.iter().map(chart).collect(),

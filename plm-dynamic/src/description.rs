@@ -28,8 +28,6 @@ pub(crate) struct Description {
     pub(crate) files: Named,
     pub(crate) shapes: &'static [described::Shape],
     pub(crate) holes: &'static [described::Hole],
-    /// Names of the conditions on the time alone.
-    pub(crate) instants: &'static [&'static str],
     /// The numbers of the tables, SI; not numbers where they vary.
     pub(crate) constants: Vec<f64>,
     /// Place and function of those that vary, in the order of their places.
@@ -42,7 +40,6 @@ impl Description {
         let of = &lowered.description;
         let path = |file: &String| std::path::Path::new(name).with_file_name(file).display().to_string();
         let declared = lowered.outputs.iter().filter(|output| output.declared);
-        let switches = lowered.switches.all.iter().skip(lowered.switches.guards);
         let varying = |Varying { index, value }: &'static Varying| (*index, Code::new(value, &[], room));
         Description {
             tables: Box::leak(Box::new(tables(of))),
@@ -54,7 +51,6 @@ impl Description {
             files: kept(of.files.iter().map(|file| (file.as_str(), text(&path(file))))),
             shapes: kept(of.shapes.iter().map(shape)),
             holes: kept(of.holes.iter().map(hole)),
-            instants: texts(switches.map(|switch| &switch.name)),
             constants: of.constants.clone(),
             varying: of.varying.iter().map(varying).collect(),
         }

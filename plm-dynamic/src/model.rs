@@ -6,6 +6,7 @@ use plm_compiler::lowered::{self, Form, Lowered};
 use plm_runtime::absolute::Layout;
 use plm_runtime::charts::{Charts, Revolutions};
 use plm_runtime::limits::{Least, Limit};
+use plm_runtime::{LabelTable, PartNames};
 
 use crate::augmented::Augmented;
 use crate::code::Code;
@@ -38,8 +39,7 @@ pub(crate) struct Model {
     pub(crate) outputs: Vec<Code>,
     pub(crate) description: Description,
     pub(crate) names_of_starts: &'static [&'static str],
-    pub(crate) names: &'static [&'static str],
-    pub(crate) parts: &'static [&'static str],
+    pub(crate) labels: LabelTable,
     /// Names and SI units of the parameters.
     pub(crate) parameters: &'static [(&'static str, &'static str)],
     /// By count, places of its angles in the pose of all bodies.
@@ -84,7 +84,6 @@ pub(crate) struct InChart {
 pub(crate) struct Switches {
     pub(crate) instants: Code,
     pub(crate) terms: Code,
-    pub(crate) texts: &'static [&'static str],
     pub(crate) table: plm_runtime::Switches,
 }
 
@@ -160,8 +159,7 @@ impl Model {
             outputs: lowered.outputs.iter().map(|output| Code::new(&output.value, &[], state)).collect(),
             description: Description::new(lowered, name, state),
             names_of_starts: texts(&lowered.starts.names),
-            names: texts(&lowered.names),
-            parts: texts(&lowered.parts),
+            labels: labels(lowered),
             parameters: kept(
                 lowered.parameters.iter().map(|param| (param.name.as_str(), param.unit.as_str())),
             ),
@@ -281,15 +279,24 @@ impl Switches {
         Switches {
             instants: Code::new(&of.instants, &["at", "slope"], room),
             terms: Code::new(&of.terms, &["jump"], room),
-            texts: texts(
-                of.all
-                    .iter()
-                    .take(of.guards)
-                    .map(|switch| &switch.text)
-                    .chain(lowered.contacts.iter().flat_map(|contacts| &contacts.guard_names)),
-            ),
             table: table(lowered),
         }
+    }
+}
+
+/// Names of states, conditions and rows.
+fn labels(lowered: &'static Lowered) -> LabelTable {
+    let conditions = lowered.switches.all.iter().take(lowered.switches.guards);
+    let of_contact = || lowered.contacts.iter().flat_map(|contacts| &contacts.guard_names);
+    let rows = lowered.contacts.iter().flat_map(|contacts| &contacts.rows);
+    LabelTable {
+        parts: PartNames::Numbers(texts(&lowered.parts)),
+        states: texts(&lowered.names),
+        in_charts: texts(lowered.charts.iter().flat_map(|chart| chart.names.iter().chain(&chart.rates))),
+        guards: texts(conditions.clone().map(|switch| &switch.name).chain(of_contact())),
+        conditions: texts(conditions.map(|switch| &switch.text).chain(of_contact())),
+        instants: texts(lowered.switches.all.iter().skip(lowered.switches.guards).map(|switch| &switch.name)),
+        contacts: texts(rows.map(|row| &row.name)),
     }
 }
 

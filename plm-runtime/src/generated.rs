@@ -23,7 +23,8 @@ pub use crate::start::{BodyStart, Start, StartValues, follow};
 pub use crate::statics::Statics;
 pub use crate::switched::{Switched, Switches};
 pub use crate::system::{
-    Computation, Constraints, Drift, Energy, Events, Health, Labels, Question, Rate, Step, Updated,
+    Computation, Constraints, Drift, Energy, Events, Health, LabelTable, Labels, PartNames, Question, Rate,
+    Updated,
 };
 pub use crate::vector::Vector;
 pub use crate::{Assembly, BodyState, Described, Observed, Operations};
@@ -31,14 +32,14 @@ pub use crate::{Assembly, BodyState, Described, Observed, Operations};
 pub mod absolute {
     pub use crate::absolute::{
         Absolute, Acceleration, Branch, Conditional, Layout, accelerate, assemble, assemble_held, balance,
-        check_carried, drift, flat_part, join, opening, phi_q_matrix, project_state, renew, residuals, split,
+        check_carried, drift, join, opening, phi_q_matrix, project_state, renew, residuals, split,
     };
 }
 
 pub mod charts {
     pub use crate::charts::{
-        Charted, Charts, Continuation, ContinuationData, OfLoops, Revolutions, are_calm, are_short, crossed,
-        enter, flat_part, full, hold, is_calm, is_free, look, name_of, not_regular, pose, update,
+        Charted, Charts, Continuation, ContinuationData, OfLoops, Revolutions, are_calm, are_short, enter,
+        full, is_calm, is_free, look, not_regular, pose, update,
     };
 }
 
@@ -58,7 +59,7 @@ pub mod contact {
 
 pub mod described {
     pub use crate::described::{
-        Body, Frame, GroundPort, Hole, Motion, Part, Quantity, Reads, Report, Shape, Tables, nearest,
+        Body, Frame, GroundPort, Hole, Motion, Part, Quantity, Reads, Report, Shape, Tables,
     };
 }
 
@@ -91,7 +92,7 @@ pub mod method {
 }
 
 pub mod singular {
-    pub use crate::singular::{ExtendedPrecision, NearSingular, Never, refine};
+    pub use crate::singular::{ExtendedPrecision, InAbsolute, InCharts, NearSingular, Never, refine};
 }
 
 pub mod start {

@@ -114,6 +114,8 @@ pub use start::{BodyStart, Start, StartValues};
 pub use statics::Statics;
 pub use stats::Stats;
 pub use switched::{Switched, Switches};
-pub use system::{Constraints, Drift, Energy, Events, Health, Labels, Rate, Step, System, Updated};
+pub use system::{
+    Constraints, Drift, Energy, Events, Health, LabelTable, Labels, PartNames, Rate, Step, System, Updated,
+};
 pub use trace::{Term, Trace, Traced};
 pub use vector::Vector;

@@ -447,69 +447,64 @@ mod plm_arm_on_jack_ {
         }
 
         impl<S: Real> rt::Labels for ArmOnJack<S> {
-            fn part_of_state(&self, index: usize) -> &'static str {
-                let parts: &[&str] = const {
-                    &[
-                        "arm",
-                        "arm",
-                        "press.chamber1.pressure",
-                        "press.chamber2.pressure",
-                        "line1.flow",
-                        "line1.inlet.pressure",
-                        "line2.flow",
-                        "line2.inlet.pressure",
-                        "valve.servo.value",
-                        "valve.servo.swing",
-                    ]
-                };
-                match parts.get(index) {
-                    Some(name) => name,
-                    None => "",
+            fn labels(&self) -> &'static rt::LabelTable {
+                const {
+                    &rt::LabelTable {
+                        parts: rt::PartNames::Numbers(
+                            const {
+                                &[
+                                    "arm",
+                                    "arm",
+                                    "press.chamber1.pressure",
+                                    "press.chamber2.pressure",
+                                    "line1.flow",
+                                    "line1.inlet.pressure",
+                                    "line2.flow",
+                                    "line2.inlet.pressure",
+                                    "valve.servo.value",
+                                    "valve.servo.swing",
+                                ]
+                            },
+                        ),
+                        states: const {
+                            &[
+                                "arm.angle",
+                                "arm.omega",
+                                "press.chamber1.pressure",
+                                "press.chamber2.pressure",
+                                "line1.flow",
+                                "line1.inlet.pressure",
+                                "line2.flow",
+                                "line2.inlet.pressure",
+                                "valve.servo.value",
+                                "valve.servo.swing",
+                            ]
+                        },
+                        guards: &[
+                            "press.chamber1.has_room",
+                            "press.chamber1.above_vacuum",
+                            "press.chamber2.has_room",
+                            "press.chamber2.above_vacuum",
+                            "line1.inlet.above_vacuum",
+                            "line2.inlet.above_vacuum",
+                        ],
+                        conditions: &[
+                            "press.chamber1.has_room",
+                            "press.chamber1.above_vacuum",
+                            "press.chamber2.has_room",
+                            "press.chamber2.above_vacuum",
+                            "line1.inlet.above_vacuum",
+                            "line2.inlet.above_vacuum",
+                        ],
+                        instants: &[
+                            "valve.servo.swing",
+                            "valve.servo.swing",
+                            "valve.servo.swing",
+                            "valve.servo.swing",
+                        ],
+                        ..rt::LabelTable::NONE
+                    }
                 }
-            }
-
-            fn name_of_state(&self, index: usize) -> &'static str {
-                let names: &[&str] = const {
-                    &[
-                        "arm.angle",
-                        "arm.omega",
-                        "press.chamber1.pressure",
-                        "press.chamber2.pressure",
-                        "line1.flow",
-                        "line1.inlet.pressure",
-                        "line2.flow",
-                        "line2.inlet.pressure",
-                        "valve.servo.value",
-                        "valve.servo.swing",
-                    ]
-                };
-                match names.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
-            }
-
-            fn guard_name(&self, index: usize) -> &'static str {
-                const NAMES: [&str; 6] = [
-                    "press.chamber1.has_room",
-                    "press.chamber1.above_vacuum",
-                    "press.chamber2.has_room",
-                    "press.chamber2.above_vacuum",
-                    "line1.inlet.above_vacuum",
-                    "line2.inlet.above_vacuum",
-                ];
-                NAMES.get(index).copied().unwrap_or_default()
-            }
-
-            fn conditions(&self) -> &'static [&'static str] {
-                &[
-                    "press.chamber1.has_room",
-                    "press.chamber1.above_vacuum",
-                    "press.chamber2.has_room",
-                    "press.chamber2.above_vacuum",
-                    "line1.inlet.above_vacuum",
-                    "line2.inlet.above_vacuum",
-                ]
             }
         }
 
@@ -1275,16 +1270,6 @@ mod plm_arm_on_jack_ {
 
             fn observed(state: &State<S>, index: usize) -> Option<S> {
                 (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
-            }
-
-            fn instant_name(&self, t: S, held: &Self::U) -> &'static str {
-                let (mut at, mut slope) = ([S::lit(0.0); 4], [S::lit(0.0); 4]);
-                self.instants(held, &mut at, &mut slope);
-                described::nearest(
-                    t,
-                    &["valve.servo.swing", "valve.servo.swing", "valve.servo.swing", "valve.servo.swing"],
-                    &at,
-                )
             }
         }
 

@@ -381,30 +381,17 @@ mod plm_bouncer_ {
         }
 
         impl<S: Real> rt::Labels for Bouncer<S> {
-            fn part_of_state(&self, index: usize) -> &'static str {
-                let parts: &[&str] = const { &["rail", "other", "rail", "other"] };
-                match parts.get(index) {
-                    Some(name) => name,
-                    None => "",
+            fn labels(&self) -> &'static rt::LabelTable {
+                const {
+                    &rt::LabelTable {
+                        parts: rt::PartNames::Numbers(const { &["rail", "other", "rail", "other"] }),
+                        states: const { &["rail.displacement", "other.displacement", "rail.speed", "other.speed"] },
+                        guards: &["near", "back"],
+                        conditions: &["near", "block.x < 0 m"],
+                        instants: &["pulse", "pulse"],
+                        ..rt::LabelTable::NONE
+                    }
                 }
-            }
-
-            fn name_of_state(&self, index: usize) -> &'static str {
-                let names: &[&str] =
-                    const { &["rail.displacement", "other.displacement", "rail.speed", "other.speed"] };
-                match names.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
-            }
-
-            fn guard_name(&self, index: usize) -> &'static str {
-                const NAMES: [&str; 2] = ["near", "back"];
-                NAMES.get(index).copied().unwrap_or_default()
-            }
-
-            fn conditions(&self) -> &'static [&'static str] {
-                &["near", "block.x < 0 m"]
             }
         }
 
@@ -954,12 +941,6 @@ mod plm_bouncer_ {
 
             fn observed(state: &State<S>, index: usize) -> Option<S> {
                 (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
-            }
-
-            fn instant_name(&self, t: S, held: &Self::U) -> &'static str {
-                let (mut at, mut slope) = ([S::lit(0.0); 2], [S::lit(0.0); 2]);
-                self.instants(held, &mut at, &mut slope);
-                described::nearest(t, &["pulse", "pulse"], &at)
             }
         }
 

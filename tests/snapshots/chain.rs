@@ -498,37 +498,33 @@ mod plm_chain_ {
         }
 
         impl<S: Real> rt::Labels for Chain<S> {
-            fn part_of_state(&self, index: usize) -> &'static str {
-                let parts: &[&str] = const {
-                    &[
-                        "bar[0]", "bar[1]", "bar[2]", "bar[3]", "bar[4]", "bar[0]", "bar[1]", "bar[2]",
-                        "bar[3]", "bar[4]",
-                    ]
-                };
-                match parts.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
-            }
-
-            fn name_of_state(&self, index: usize) -> &'static str {
-                let names: &[&str] = const {
-                    &[
-                        "bar[0].angle",
-                        "bar[1].angle",
-                        "bar[2].angle",
-                        "bar[3].angle",
-                        "bar[4].angle",
-                        "bar[0].omega",
-                        "bar[1].omega",
-                        "bar[2].omega",
-                        "bar[3].omega",
-                        "bar[4].omega",
-                    ]
-                };
-                match names.get(index) {
-                    Some(name) => name,
-                    None => "",
+            fn labels(&self) -> &'static rt::LabelTable {
+                const {
+                    &rt::LabelTable {
+                        parts: rt::PartNames::Numbers(
+                            const {
+                                &[
+                                    "bar[0]", "bar[1]", "bar[2]", "bar[3]", "bar[4]", "bar[0]", "bar[1]",
+                                    "bar[2]", "bar[3]", "bar[4]",
+                                ]
+                            },
+                        ),
+                        states: const {
+                            &[
+                                "bar[0].angle",
+                                "bar[1].angle",
+                                "bar[2].angle",
+                                "bar[3].angle",
+                                "bar[4].angle",
+                                "bar[0].omega",
+                                "bar[1].omega",
+                                "bar[2].omega",
+                                "bar[3].omega",
+                                "bar[4].omega",
+                            ]
+                        },
+                        ..rt::LabelTable::NONE
+                    }
                 }
             }
         }

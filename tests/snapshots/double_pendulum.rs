@@ -397,19 +397,13 @@ mod plm_double_pendulum_ {
         }
 
         impl<S: Real> rt::Labels for DoublePendulum<S> {
-            fn part_of_state(&self, index: usize) -> &'static str {
-                let parts: &[&str] = const { &["arm", "forearm", "arm", "forearm"] };
-                match parts.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
-            }
-
-            fn name_of_state(&self, index: usize) -> &'static str {
-                let names: &[&str] = const { &["arm.angle", "forearm.angle", "arm.omega", "forearm.omega"] };
-                match names.get(index) {
-                    Some(name) => name,
-                    None => "",
+            fn labels(&self) -> &'static rt::LabelTable {
+                const {
+                    &rt::LabelTable {
+                        parts: rt::PartNames::Numbers(const { &["arm", "forearm", "arm", "forearm"] }),
+                        states: const { &["arm.angle", "forearm.angle", "arm.omega", "forearm.omega"] },
+                        ..rt::LabelTable::NONE
+                    }
                 }
             }
         }

@@ -634,39 +634,33 @@ mod plm_four_bar_ {
         }
 
         impl<S: Real> rt::Labels for FourBar<S> {
-            fn part_of_state(&self, index: usize) -> &'static str {
-                let parts: &[&str] = const { &["crank", "crank"] };
-                match parts.get(index) {
-                    Some(name) => name,
-                    None => "",
+            fn labels(&self) -> &'static rt::LabelTable {
+                const {
+                    &rt::LabelTable {
+                        parts: rt::PartNames::Numbers(const { &["crank", "crank"] }),
+                        states: const {
+                            &[
+                                "crank.angle or rocker.angle or coupler.angle",
+                                "crank.omega or rocker.omega or coupler.omega",
+                            ]
+                        },
+                        in_charts: const {
+                            &[
+                                "crank.angle",
+                                "crank.omega",
+                                "rocker.angle",
+                                "rocker.omega",
+                                "coupler.angle",
+                                "coupler.omega",
+                            ]
+                        },
+                        ..rt::LabelTable::NONE
+                    }
                 }
             }
 
-            fn name_of_state(&self, index: usize) -> &'static str {
-                let names: &[&str] = const {
-                    &[
-                        "crank.angle or rocker.angle or coupler.angle",
-                        "crank.omega or rocker.omega or coupler.omega",
-                    ]
-                };
-                match names.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
-            }
-
-            fn name_in_chart(&self, u: &Self::U, index: usize) -> &'static str {
-                let names: &[&str] = const {
-                    &[
-                        "crank.angle",
-                        "crank.omega",
-                        "rocker.angle",
-                        "rocker.omega",
-                        "coupler.angle",
-                        "coupler.omega",
-                    ]
-                };
-                rt::charts::name_of::<Self>(u, index, (names, 2)).unwrap_or(self.name_of_state(index))
+            fn chart_of(&self, u: &Self::U) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&u.of_loops)
             }
         }
 
@@ -674,6 +668,7 @@ mod plm_four_bar_ {
         impl<S: Real> rt::singular::ExtendedPrecision<9, 8, 18> for FourBar<S> {
             type Extended = FourBar<rt::DoubleDouble<S>>;
             type Inputs = Held<rt::DoubleDouble<S>>;
+            type Coordinates = rt::singular::InCharts;
 
             fn extended(&self) -> Self::Extended {
                 rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::DoubleDouble::written(s))
@@ -694,33 +689,6 @@ mod plm_four_bar_ {
             ) {
                 let mut lambda = [rt::DoubleDouble::<S>::lit(0.0); 8];
                 extended.dynamics(t, u, x, dx, &mut lambda);
-            }
-
-            #[inline]
-            fn is_charted(&self) -> bool {
-                true
-            }
-
-            #[inline]
-            fn crossed(step: &rt::Step<'_, Self>) -> S {
-                rt::charts::crossed(step)
-            }
-
-            fn is_near(held: &Self::U) -> bool {
-                rt::charts::is_free::<Self>(held)
-            }
-
-            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 18] {
-                rt::charts::full(self, t, held, x)
-            }
-
-            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 18]) {
-                rt::charts::hold::<Self, 18>(held, x, full);
-            }
-
-            fn flat_part(&self, t: S, full: &[S; 18]) -> &'static str {
-                let (q, v): ([S; 9], [S; 9]) = absolute::split(full);
-                rt::charts::flat_part(self, t, &q, &v)
             }
         }
 

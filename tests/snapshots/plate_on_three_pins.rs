@@ -899,19 +899,13 @@ mod plm_plate_on_three_pins_ {
         }
 
         impl<S: Real> rt::Labels for PlateOnThreePins<S> {
-            fn part_of_state(&self, index: usize) -> &'static str {
-                let parts: &[&str] = const { &[] };
-                match parts.get(index) {
-                    Some(name) => name,
-                    None => "",
-                }
-            }
-
-            fn name_of_state(&self, index: usize) -> &'static str {
-                let names: &[&str] = const { &[] };
-                match names.get(index) {
-                    Some(name) => name,
-                    None => "",
+            fn labels(&self) -> &'static rt::LabelTable {
+                const {
+                    &rt::LabelTable {
+                        parts: rt::PartNames::Numbers(const { &[] }),
+                        states: const { &[] },
+                        ..rt::LabelTable::NONE
+                    }
                 }
             }
         }
@@ -920,6 +914,7 @@ mod plm_plate_on_three_pins_ {
         impl<S: Real> rt::singular::ExtendedPrecision<12, 12, 24> for PlateOnThreePins<S> {
             type Extended = PlateOnThreePins<rt::DoubleDouble<S>>;
             type Inputs = Held<rt::DoubleDouble<S>>;
+            type Coordinates = rt::singular::InCharts;
 
             fn extended(&self) -> Self::Extended {
                 rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::DoubleDouble::written(s))
@@ -940,33 +935,6 @@ mod plm_plate_on_three_pins_ {
             ) {
                 let mut lambda = [rt::DoubleDouble::<S>::lit(0.0); 12];
                 extended.dynamics(t, u, x, dx, &mut lambda);
-            }
-
-            #[inline]
-            fn is_charted(&self) -> bool {
-                true
-            }
-
-            #[inline]
-            fn crossed(step: &rt::Step<'_, Self>) -> S {
-                rt::charts::crossed(step)
-            }
-
-            fn is_near(held: &Self::U) -> bool {
-                rt::charts::is_free::<Self>(held)
-            }
-
-            fn full(&self, t: S, held: &Self::U, x: &Self::X) -> [S; 24] {
-                rt::charts::full(self, t, held, x)
-            }
-
-            fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[S; 24]) {
-                rt::charts::hold::<Self, 24>(held, x, full);
-            }
-
-            fn flat_part(&self, t: S, full: &[S; 24]) -> &'static str {
-                let (q, v): ([S; 12], [S; 12]) = absolute::split(full);
-                rt::charts::flat_part(self, t, &q, &v)
             }
         }
 

@@ -395,46 +395,34 @@ mod plm_slider_crank_ {
         }
 
         impl<S: Real> rt::Labels for SliderCrank<S> {
-            fn part_of_state(&self, index: usize) -> &'static str {
-                const BODIES: &[&str] = &["crank", "rod", "slider"];
-                const STATES: &[&str] = &[];
-                let part = if index < 2 * NQ {
-                    BODIES.get(index % NQ.max(1) / 3)
-                } else {
-                    STATES.get(index - 2 * NQ)
-                };
-                match part {
-                    Some(name) => name,
-                    None => "",
-                }
-            }
-
-            fn name_of_state(&self, index: usize) -> &'static str {
-                let names: &[&str] = const {
-                    &[
-                        "crank.x",
-                        "crank.y",
-                        "crank.angle",
-                        "rod.x",
-                        "rod.y",
-                        "rod.angle",
-                        "slider.x",
-                        "slider.y",
-                        "slider.angle",
-                        "crank.vx",
-                        "crank.vy",
-                        "crank.omega",
-                        "rod.vx",
-                        "rod.vy",
-                        "rod.omega",
-                        "slider.vx",
-                        "slider.vy",
-                        "slider.omega",
-                    ]
-                };
-                match names.get(index) {
-                    Some(name) => name,
-                    None => "",
+            fn labels(&self) -> &'static rt::LabelTable {
+                const {
+                    &rt::LabelTable {
+                        parts: rt::PartNames::Bodies { bodies: &["crank", "rod", "slider"], states: &[] },
+                        states: const {
+                            &[
+                                "crank.x",
+                                "crank.y",
+                                "crank.angle",
+                                "rod.x",
+                                "rod.y",
+                                "rod.angle",
+                                "slider.x",
+                                "slider.y",
+                                "slider.angle",
+                                "crank.vx",
+                                "crank.vy",
+                                "crank.omega",
+                                "rod.vx",
+                                "rod.vy",
+                                "rod.omega",
+                                "slider.vx",
+                                "slider.vy",
+                                "slider.omega",
+                            ]
+                        },
+                        ..rt::LabelTable::NONE
+                    }
                 }
             }
         }
@@ -443,6 +431,7 @@ mod plm_slider_crank_ {
         impl<S: Real> rt::singular::ExtendedPrecision<9, 8, 18> for SliderCrank<S> {
             type Extended = SliderCrank<rt::DoubleDouble<S>>;
             type Inputs = Held<rt::DoubleDouble<S>>;
+            type Coordinates = rt::singular::InAbsolute;
 
             fn extended(&self) -> Self::Extended {
                 rt::lanes::Pack::pack(self, [self], |[s]: [S; 1]| rt::DoubleDouble::written(s))
@@ -463,31 +452,6 @@ mod plm_slider_crank_ {
             ) {
                 let mut lambda = [rt::DoubleDouble::<S>::lit(0.0); 8];
                 extended.dynamics(t, u, x, dx, &mut lambda);
-            }
-
-            #[inline]
-            fn is_charted(&self) -> bool {
-                false
-            }
-
-            fn crossed(_step: &rt::Step<'_, Self>) -> S {
-                S::lit(0.0)
-            }
-
-            fn is_near(_held: &Self::U) -> bool {
-                false
-            }
-
-            fn full(&self, _t: S, _held: &Self::U, x: &Self::X) -> Self::X {
-                *x
-            }
-
-            fn hold(&self, _held: &mut Self::U, x: &mut Self::X, full: &Self::X) {
-                *x = *full;
-            }
-
-            fn flat_part(&self, t: S, full: &Self::X) -> &'static str {
-                absolute::flat_part::<_, _, NQ, NC>(self, t, &absolute::split(full).0)
             }
         }
 

@@ -48,7 +48,7 @@ const fn plain(name: &'static str, title: &'static str, work: fn(&Place) -> Resu
     Part { name, title, is_plain: true, work }
 }
 
-/// From a clean checkout; an hour on two cores, where fourteen minutes are the aim. Nothing of it depends on how much time is left.
+/// From a clean checkout; half an hour on two cores, where fourteen minutes are the aim. Nothing of it depends on how much time is left.
 const STEPS: &[Step] = &[
     Step::Begin { group: "tools", niceness: 0, parts: &[part(tests::NAME, "tools", tests::tools)] },
     // They fill the cores that the stages leave idle.

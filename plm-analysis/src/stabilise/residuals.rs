@@ -111,7 +111,7 @@ impl<M: Stabilise> Residuals<M> {
         &self.held
     }
 
-    /// Displacements of all rows of contact at a point, and how much each can give to either side.
+    /// Displacements of all rows of contact at a point, and the greatest force of each to either side.
     pub(super) fn of_contact(&self, point: &Point) -> (Vec<f64>, Vec<[f64; 2]>) {
         let mut gaps = self.values(point, |_| 0.0).split_off(self.nq() + 2 * self.own() + self.nx());
         let limits = gaps.split_off(self.mechanism.contact_count());

@@ -31,6 +31,10 @@ impl<
         &self.model.charts
     }
 
+    fn has_charts(&self) -> bool {
+        self.is_charted()
+    }
+
     fn pose(&self, t: S, held: &Held<S, NQ, L, H, R>, x: &[S; N]) -> ([S; NQ], [S; NQ], S) {
         let (mut q, mut v) = ([S::ZERO; NQ], [S::ZERO; NQ]);
         let chart = match &held.of_loops {

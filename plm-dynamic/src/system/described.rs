@@ -1,7 +1,7 @@
 //! Names, numbers and outputs by number, for drawing, recording and setting a mechanism.
 
-use plm_runtime::described::{Described, Hole, Shape, Tables, nearest};
-use plm_runtime::{BodyState, Moment, Ports, Real, Switched};
+use plm_runtime::described::{Described, Hole, Shape, Tables};
+use plm_runtime::{BodyState, Moment, Ports, Real};
 
 use crate::handle::{Dynamic, Frame, Held};
 
@@ -84,10 +84,6 @@ impl<
 
     fn observed(state: &Self::State, index: usize) -> Option<S> {
         state.output(index)
-    }
-
-    fn instant_name(&self, t: S, held: &Held<S, NQ, L, H, R>) -> &'static str {
-        self.known_times(held, |at, _| nearest(t, self.model.description.instants, at))
     }
 
     fn state(state: &Self::State, index: usize) -> Option<S> {

@@ -5,8 +5,8 @@ use plm_runtime::charts::{self, OfLoops};
 use plm_runtime::contact::{self, Contacts};
 use plm_runtime::system::{Computation, OneStep, Question, WholeStep};
 use plm_runtime::{
-    Cause, Constraints, Drift, Energy, Fault, Health, Labels, Moment, Rate, Real, Scalar, Updated, linear,
-    turns,
+    Cause, Constraints, Drift, Energy, Fault, Health, LabelTable, Labels, Moment, Rate, Real, Scalar,
+    Updated, linear, turns,
 };
 
 use super::State;
@@ -150,15 +150,6 @@ impl<
             },
         };
         self.model.in_charts.get(chart).map(|chart| &chart.rate)
-    }
-}
-
-/// The number of the state that stands at a place.
-fn index<const NQ: usize>(place: usize, coordinates: usize) -> Option<usize> {
-    match place {
-        _ if place >= 2 * NQ => Some(2 * coordinates + place - 2 * NQ),
-        _ if place >= NQ => Some(coordinates + place - NQ).filter(|index| *index < 2 * coordinates),
-        _ => Some(place).filter(|index| *index < coordinates),
     }
 }
 
@@ -315,45 +306,14 @@ impl<
     const P: usize,
 > Labels for Dynamic<S, NQ, NC, N, L, H, R, P>
 {
-    fn part_of_state(&self, at: usize) -> &'static str {
-        let own = index::<NQ>(at, self.model.coordinates);
-        own.and_then(|index| self.model.parts.get(index)).copied().unwrap_or_default()
+    fn labels(&self) -> &'static LabelTable {
+        &self.model.labels
     }
 
-    fn name_of_state(&self, at: usize) -> &'static str {
-        let own = index::<NQ>(at, self.model.coordinates);
-        own.and_then(|index| self.model.names.get(index)).copied().unwrap_or_default()
-    }
-
-    fn name_in_chart(&self, held: &Self::U, at: usize) -> &'static str {
-        let count = self.model.coordinates;
-        let chart = match held.of_loops {
-            OfLoops::InChart { chart, .. } if self.is_charted() => self.model.lowered.charts.get(chart),
+    fn chart_of(&self, u: &Self::U) -> Option<usize> {
+        match u.of_loops {
+            OfLoops::InChart { chart, .. } if self.is_charted() => Some(chart),
             _ => None,
-        };
-        let name =
-            chart.zip(index::<NQ>(at, count)).and_then(|(chart, index)| match index.checked_sub(count) {
-                None => chart.names.get(index),
-                Some(index) => chart.rates.get(index).filter(|_| index < count),
-            });
-        name.map_or_else(|| self.name_of_state(at), String::as_str)
-    }
-
-    fn guard_name(&self, index: usize) -> &'static str {
-        let switches = &self.model.lowered.switches;
-        if let Some(index) = index.checked_sub(switches.guards) {
-            let names = self.model.contacts.as_ref().map(|contacts| contacts.guard_names);
-            return names.and_then(|names| names.get(index)).copied().unwrap_or_default();
         }
-        switches.all.get(index).map_or("", |switch| &switch.name)
-    }
-
-    fn contact_name(&self, row: usize) -> &'static str {
-        let names = self.model.contacts.as_ref().map(|contacts| contacts.names);
-        names.and_then(|names| names.get(row)).copied().unwrap_or_default()
-    }
-
-    fn conditions(&self) -> &'static [&'static str] {
-        self.model.switches.texts
     }
 }

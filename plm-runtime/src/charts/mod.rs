@@ -64,6 +64,12 @@ pub trait Charted:
         const { &Self::CHARTS }
     }
 
+    /// True if the mechanism has charts: always of a type that has some, and by value of one from text.
+    #[inline]
+    fn has_charts(&self) -> bool {
+        true
+    }
+
     /// Pose and velocity of all bodies, and the square of the measure; negative where a loop cannot be closed, zero without a
     /// chart.
     fn pose(&self, t: Self::S, held: &Self::U, x: &Self::X) -> (Self::Q, Self::Q, Self::S);
@@ -230,19 +236,6 @@ fn is_open<S: Real>(measure: S) -> bool {
     // False for NaN.
     let closes = measure >= S::lit(-OPEN.get()).min(S::lit(-64.0) * S::EPSILON);
     !closes
-}
-
-/// The name of a coordinate or its rate in the present chart, of `count` names for each chart; `None` for other states, and without a
-/// chart.
-pub fn name_of<M: Charted>(
-    held: &M::U,
-    index: usize,
-    (names, count): (&[&'static str], usize),
-) -> Option<&'static str> {
-    match held.of_loops {
-        OfLoops::InChart { chart, .. } if index < count => names.get(chart * count + index).copied(),
-        _ => None,
-    }
 }
 
 /// The part that closes the loop which is nearest to flat at a pose.

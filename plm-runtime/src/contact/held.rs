@@ -25,8 +25,8 @@
 //! * Time steps: `Contacts` has `motion_at`, the rate without contact forces, the responses and the rows in one pass, and
 //!   `moves_by_time`.
 //! * `Linear`: `held_rows` is [`held_rows`](super::held_rows).
-//! * `Labels`: `contact_name` has the rows; `guard_name` of the guard `g + i` is that of the row `i / 3`, for each third one that of a row
-//!   which reads the reaction `i / 3`.
+//! * `Labels`: in the table, `contacts` has the rows; the guard `g + i` has the name of the row `i / 3`, each third one that of a row which
+//!   reads the reaction `i / 3`.
 //! * [`begin`](super::begin) is the last call of a start. `renew` needs no more.
 
 use super::booked::Booked;

@@ -14,7 +14,7 @@ pub use words::mechanism_in_words;
 use crate::body::BodyState;
 use crate::mechanism::{Mechanism, Moment};
 use crate::ports::Ports;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use crate::system::Rate;
 use crate::vector::Vector;
 
@@ -127,13 +127,6 @@ pub trait Described: Mechanism + Ports {
     /// A quantity of [`observables`](Self::observables), worked out when it is asked for.
     fn observed(state: &Self::State, index: usize) -> Option<Number<Self>>;
 
-    /// The condition on the time alone that changes at the time `t`, s; named as in diagnostics, as
-    /// [`guard_name`](crate::Labels::guard_name) names those on the state.
-    fn instant_name(&self, t: Number<Self>, held: &<Self as Rate>::U) -> &'static str {
-        let _ = (t, held);
-        ""
-    }
-
     /// Mass of a body, kg; `None` if it was declared without.
     fn mass(&self, body: usize) -> Option<Number<Self>> {
         self.declared(self.tables().bodies.get(body)?.first)
@@ -240,11 +233,4 @@ pub trait Described: Mechanism + Ports {
         let [x, y, angle] = [0, 1, 2].map(|k| self.figure(t, first + k));
         Some(Place { x: x?, y: y?, angle: angle? })
     }
-}
-
-/// The name whose known time is nearest to the time `t`.
-pub fn nearest<S: Real>(t: S, names: &[&'static str], times: &[S]) -> &'static str {
-    let distances = names.iter().zip(times).map(|(name, time)| (*name, (*time - t).abs()));
-    let nearest = distances.reduce(|nearest, next| if next.1 < nearest.1 { next } else { nearest });
-    nearest.map_or("", |(name, _)| name)
 }

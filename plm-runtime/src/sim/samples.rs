@@ -89,7 +89,7 @@ pub enum Seen<'a, T> {
     Step(&'a T),
     /// The condition with this index switches ([`Labels::guard_name`](crate::Labels::guard_name)); the state just before.
     Condition(usize, &'a T),
-    /// A time event: conditions on the time alone change ([`Described::instant_name`](crate::Described::instant_name));
+    /// A time event: conditions on the time alone change ([`Events::instant_name`](crate::Events::instant_name));
     /// the state just before.
     Instant(&'a T),
     /// The state after all events at its time.

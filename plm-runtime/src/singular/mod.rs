@@ -19,6 +19,7 @@
 mod collocation;
 mod combined;
 mod conditioning;
+mod coordinates;
 mod critical;
 mod crossing;
 mod distance;
@@ -29,6 +30,7 @@ mod meeting;
 mod near_singular;
 mod start;
 
+pub use self::coordinates::{ByMechanism, Coordinates, InAbsolute, InCharts};
 pub use self::near_singular::NearSingular;
 pub use self::start::refine;
 
@@ -51,6 +53,8 @@ pub trait ExtendedPrecision<const NQ: usize, const NC: usize, const NX: usize>:
     type Extended: Absolute<DoubleDouble<Self::S>, NQ, NC>;
     /// Inputs in those numbers.
     type Inputs;
+    /// Coordinates of a state: those of a chart, or absolute ones.
+    type Coordinates: Coordinates<Self, NQ, NC, NX>;
 
     /// The mechanism.
     fn extended(&self) -> Self::Extended;
@@ -68,7 +72,10 @@ pub trait ExtendedPrecision<const NQ: usize, const NC: usize, const NX: usize>:
     );
 
     /// The mechanism has charts, which say themselves whether they are regular.
-    fn is_charted(&self) -> bool;
+    #[inline]
+    fn is_charted(&self) -> bool {
+        Self::Coordinates::is_charted(self)
+    }
 
     /// Has it singular poses at all? A tree of joints has none.
     #[inline]
@@ -77,19 +84,31 @@ pub trait ExtendedPrecision<const NQ: usize, const NC: usize, const NX: usize>:
     }
 
     /// The length of a step as a part of the turn next to a flat pose, [`charts::crossed`](crate::charts::crossed).
-    fn crossed(step: &Step<'_, Self>) -> Self::S;
+    #[inline]
+    fn crossed(step: &Step<'_, Self>) -> Self::S {
+        Self::Coordinates::crossed(step)
+    }
 
     /// True if the mechanism is without a chart.
-    fn is_near(held: &Self::U) -> bool;
+    #[inline]
+    fn is_near(held: &Self::U) -> bool {
+        Self::Coordinates::is_near(held)
+    }
 
     /// The state in absolute coordinates.
-    fn full(&self, t: Self::S, held: &Self::U, x: &Self::X) -> [Self::S; NX];
+    fn full(&self, t: Self::S, held: &Self::U, x: &Self::X) -> [Self::S; NX] {
+        Self::Coordinates::full(self, t, held, x)
+    }
 
     /// Stores a state in absolute coordinates, without a chart.
-    fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[Self::S; NX]);
+    fn hold(&self, held: &mut Self::U, x: &mut Self::X, full: &[Self::S; NX]) {
+        Self::Coordinates::hold(self, held, x, full);
+    }
 
     /// The part that closes the loop which is nearest to flat at a state in absolute coordinates.
-    fn flat_part(&self, t: Self::S, full: &[Self::S; NX]) -> &'static str;
+    fn flat_part(&self, t: Self::S, full: &[Self::S; NX]) -> &'static str {
+        Self::Coordinates::flat_part(self, t, full)
+    }
 }
 
 /// For mechanisms that have no singular poses.

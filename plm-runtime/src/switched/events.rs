@@ -148,6 +148,14 @@ impl<M: Switched> Events for M {
         self.known_times(u, |at, _| at.iter().copied().filter(|at| *at > t).reduce(M::S::min))
     }
 
+    fn instant_name(&self, t: M::S, u: &M::U) -> &'static str {
+        self.known_times(u, |at, _| {
+            let distances = self.labels().instants.iter().zip(at).map(|(name, at)| (*name, (*at - t).abs()));
+            let nearest = distances.reduce(|nearest, next| if next.1 < nearest.1 { next } else { nearest });
+            nearest.map_or("", |(name, _)| name)
+        })
+    }
+
     fn switch_at_time(&self, t: M::S, u: &mut M::U, x: &mut M::X) -> Result<(), Fault> {
         if self.switches().times == 0 {
             return Ok(());

@@ -15,11 +15,11 @@ use crate::enclosure::Enclosed;
 use crate::fault::{Cause, Fault};
 use crate::held::Sides;
 use crate::scalar::Real;
-use crate::system::Rate;
+use crate::system::{Labels, Rate};
 use crate::vector::Vector;
 
 /// A mechanism with conditions and contact, from tables and routines.
-pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> + Sized {
+pub trait Switched: Rate<S: Real, U: Sides<<Self as Rate>::S>> + Labels + Sized {
     /// A number for each guard: those of conditions, then those of contact.
     type Guards: Vector<Self::S> + AsMut<[Self::S]> + AsRef<[Self::S]>;
     /// Its contact: [`NoContact`], or [`WithContact`].

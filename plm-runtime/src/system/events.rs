@@ -77,6 +77,13 @@ pub trait Events: Rate {
         None
     }
 
+    /// Name of the condition on the time alone that changes at the time `t`, s, or next to it, as
+    /// [`guard_name`](crate::Labels::guard_name) has those of the conditions on the state.
+    fn instant_name(&self, t: Self::S, u: &Self::U) -> &'static str {
+        let _ = (t, u);
+        ""
+    }
+
     /// Commits the time event at a time that was reached, or that a parameter or an input has moved: `u` gets the modes that apply from now on.
     /// It may reset the state, as [`switch`](Self::switch).
     ///

@@ -11,7 +11,7 @@ mod whole;
 pub use computation::Computation;
 pub use constraints::Constraints;
 pub use events::Events;
-pub use labels::Labels;
+pub use labels::{LabelTable, Labels, PartNames};
 pub use rate::{Rate, rate_aside};
 pub use values::Question;
 pub(crate) use values::{value, values};

@@ -192,14 +192,14 @@ impl<S: Real> rt::Switched for Block<S> {
 }
 
 impl<S: Real> rt::Labels for Block<S> {
-    fn guard_name(&self, index: usize) -> &'static str {
-        const NAMES: [&str; OWN + rt::contact::guard_count(ROWS)] =
-            ["near", "tip", "tip", "tip", "slip", "slip", "slip", "contact"];
-        NAMES.get(index).copied().unwrap_or_default()
-    }
-    fn contact_name(&self, row: usize) -> &'static str {
-        const NAMES: [&str; ROWS] = ["tip", "slip"];
-        NAMES.get(row).copied().unwrap_or_default()
+    fn labels(&self) -> &'static rt::LabelTable {
+        const {
+            &rt::LabelTable {
+                guards: &["near", "tip", "tip", "tip", "slip", "slip", "slip", "contact"],
+                contacts: &["tip", "slip"],
+                ..rt::LabelTable::NONE
+            }
+        }
     }
 }
 

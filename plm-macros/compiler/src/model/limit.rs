@@ -8,7 +8,7 @@ use crate::span::Span;
 /// A value that depends on parameters and has a range.
 #[derive(Clone, Debug)]
 pub struct Limit {
-    /// The joint.
+    /// Joint, row of contact or requirement that it belongs to.
     pub part: String,
     /// Its name as written: `compliance`.
     pub what: String,

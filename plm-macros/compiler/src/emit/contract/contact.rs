@@ -5,7 +5,7 @@ use crate::emit::template::quote;
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::lower::inline;
-use super::super::{Emission, Sizes, number, quoted};
+use super::super::{Emission, Sizes, number};
 use super::{contact_motion, contact_sliding};
 use crate::facts::contact as facts;
 use crate::model::{ContactLaw, Impacts, Stabilisation};
@@ -171,21 +171,6 @@ fn joints(emission: &Emission) -> Option<TokenStream> {
 
             fn drift_of_joints(&self, t: S, _u: &Held<S>, x: &[S; #length]) -> rt::Drift<S> {
                 absolute::drift::<S, Self, NQ, NC, #length>(self, t, x)
-            }
-        }
-    })
-}
-
-/// `contact_name` of `Labels`.
-pub(super) fn labels(emission: &Emission) -> Option<TokenStream> {
-    let contacts = &emission.model.contacts;
-    let count = number(contacts.len());
-    let names = emission.text(quoted(contacts.iter().map(|contact| &contact.name)));
-    are_there(emission).then(|| {
-        quote! {
-            fn contact_name(&self, row: usize) -> &'static str {
-                const NAMES: [&str; #count] = [#names];
-                NAMES.get(row).copied().unwrap_or_default()
             }
         }
     })

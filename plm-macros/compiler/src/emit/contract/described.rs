@@ -18,7 +18,7 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
     let tables = tables::tables(emission, &table);
     let (function, parameters) = (entries(emission, &table), &fields.params);
     let numbers: Vec<_> = (0..parameters.len()).map(number).collect_vec();
-    let (instant, unwrapped) = (instant_name(emission), unwrapped_pose(emission, &quote!(state)));
+    let unwrapped = unwrapped_pose(emission, &quote!(state));
     let declaration = emission.text(format!("{:?}", emission.model.text));
     let file = |name: &String| format!("({name:?}, concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/\", {name:?}))");
     let files = emission.list(emission.model.files.iter().map(file));
@@ -60,7 +60,6 @@ pub(crate) fn described(emission: &Emission) -> TokenStream {
             fn observed(state: &State<S>, index: usize) -> Option<S> {
                 (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
             }
-            #instant
         }
     }
 }
@@ -114,22 +113,4 @@ fn entries(emission: &Emission, table: &NumericTable) -> TokenStream {
             constants.get(index).copied().map(S::lit)
         }
     }
-}
-
-/// Names of the changes at known times.
-fn instant_name(emission: &Emission) -> Option<TokenStream> {
-    let model = emission.model;
-    let of_time = model.switches.iter().filter(|side| side.instant.is_some());
-    let names = emission.text(quoted(of_time.map(|side| &side.name)));
-    let count = number(model.switches.len() - model.guards());
-    (model.switches.len() > model.guards()).then(|| {
-        quote! {
-
-            fn instant_name(&self, t: S, held: &Self::U) -> &'static str {
-                let (mut at, mut slope) = ([S::lit(0.0); #count], [S::lit(0.0); #count]);
-                self.instants(held, &mut at, &mut slope);
-                described::nearest(t, &[#names], &at)
-            }
-        }
-    })
 }

@@ -216,24 +216,14 @@ fn switching(
     })
 }
 
-/// Names of the conditions of the state, and their texts.
+/// Names of the conditions of the state and of contact, and their texts: fields of a table.
 pub(super) fn names(emission: &Emission) -> TokenStream {
     let model = emission.model;
     let of_contact = facts::contact::names_of_guards(model);
     let names = model.switches.iter().take(model.guards()).map(|switch| &switch.name);
     let names = emission.text(quoted(names.chain(of_contact.iter().copied())));
     let texts = emission.text(quoted(conditions::texts(model).chain(of_contact.into_iter().cloned())));
-    let guards = number(model.guards() + facts::contact::guards(model));
-    quote! {
-        fn guard_name(&self, index: usize) -> &'static str {
-            const NAMES: [&str; #guards] = [#names];
-            NAMES.get(index).copied().unwrap_or_default()
-        }
-
-        fn conditions(&self) -> &'static [&'static str] {
-            &[#texts]
-        }
-    }
+    quote!(guards: &[#names], conditions: &[#texts],)
 }
 
 /// When conditions of the time alone change.

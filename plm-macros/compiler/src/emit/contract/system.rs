@@ -4,7 +4,7 @@ use crate::emit::template::quote;
 use proc_macro2::TokenStream;
 
 use super::super::lower::inline;
-use super::super::{Emission, Form, Sizes, number, quoted, table_compression};
+use super::super::{Emission, Form, Sizes, quoted, table_compression};
 use super::{contact, contact_projection, switched, turns};
 use crate::facts::{self, state};
 use crate::model::Stabilisation;
@@ -67,55 +67,61 @@ fn constraints(emission: &Emission) -> TokenStream {
     }
 }
 
-/// `Labels`.
+/// `Labels`: the table of names.
 fn labels(emission: &Emission) -> TokenStream {
     let Emission { model, name, .. } = emission;
-    let part_of_state = part_of_state(emission);
-    let names =
+    let (parts, in_charts) = (part_names(emission), names_in_charts(emission));
+    let states =
         table_compression::names(emission, &state::names(model, emission.equations, emission.reduced));
-    let names_in_charts = names_in_charts(emission);
-    let contacts = contact::labels(emission);
     let conditions = (model.guards() > 0 || contact::are_there(emission)).then(|| switched::names(emission));
+    let contacts = contact::are_there(emission).then(|| {
+        let names = emission.text(quoted(model.contacts.iter().map(|contact| &contact.name)));
+        quote!(contacts: &[#names],)
+    });
+    let of_time = model.switches.iter().filter(|side| side.instant.is_some());
+    let instants = emission.text(quoted(of_time.map(|side| &side.name)));
+    let instants = (model.switches.len() > model.guards()).then(|| quote!(instants: &[#instants],));
+    let chart = in_charts.is_some().then(|| {
+        quote! {
+            fn chart_of(&self, u: &Self::U) -> Option<usize> {
+                rt::held::Loops::<S>::chart(&u.of_loops)
+            }
+        }
+    });
     quote! {
         impl<S: Real> rt::Labels for #name<S> {
-            fn part_of_state(&self, index: usize) -> &'static str {
-                #part_of_state
-            }
-
-            fn name_of_state(&self, index: usize) -> &'static str {
-                let names: &[&str] = const { &#names };
-                match names.get(index) {
-                    Some(name) => name,
-                    None => "",
+            fn labels(&self) -> &'static rt::LabelTable {
+                const {
+                    &rt::LabelTable {
+                        parts: #parts,
+                        states: const { &#states },
+                        #in_charts
+                        #conditions
+                        #instants
+                        #contacts
+                        ..rt::LabelTable::NONE
+                    }
                 }
             }
-            #names_in_charts
-            #conditions
-            #contacts
+            #chart
         }
     }
 }
 
 /// Names of coordinates and their rates chart by chart, where there are several charts.
-fn names_in_charts(emission: &Emission) -> TokenStream {
-    let Form::Loops(reduced) = emission.form else { return TokenStream::new() };
-    let charts = &reduced.charts;
-    let count = charts.first().map_or(0, |chart| chart.names.len());
-    if charts.len() < 2 || count == 0 {
-        return TokenStream::new();
+fn names_in_charts(emission: &Emission) -> Option<TokenStream> {
+    let charts = &emission.loops()?.charts;
+    let coordinates = charts.first().map_or(0, |chart| chart.names.len());
+    if charts.len() < 2 || coordinates == 0 {
+        return None;
     }
     let mut all = Vec::new();
     for chart in charts {
         all.extend(chart.names.iter().cloned());
         all.extend(chart.names.iter().map(|name| state::rate_of(name)));
     }
-    let (names, in_chart) = (table_compression::names(emission, &all), number(2 * count));
-    quote! {
-        fn name_in_chart(&self, u: &Self::U, index: usize) -> &'static str {
-            let names: &[&str] = const { &#names };
-            rt::charts::name_of::<Self>(u, index, (names, #in_chart)).unwrap_or(self.name_of_state(index))
-        }
-    }
+    let names = table_compression::names(emission, &all);
+    Some(quote!(in_charts: const { &#names },))
 }
 
 /// The rate in absolute coordinates where elimination is unhealthy.
@@ -197,32 +203,14 @@ pub(super) fn stabilisation(emission: &Emission) -> TokenStream {
 }
 
 /// Names of the parts that the numbers of the state belong to. Absolute coordinates have them body by body.
-fn part_of_state(emission: &Emission) -> TokenStream {
+fn part_names(emission: &Emission) -> TokenStream {
     let Emission { model, equations, reduced, .. } = emission;
-    let named = |part| {
-        quote! {
-            match #part {
-                Some(name) => name,
-                None => "",
-            }
-        }
-    };
     if reduced.is_some() {
         let parts = table_compression::names(emission, &state::parts(model, equations, *reduced));
-        let part = named(quote!(parts.get(index)));
-        return quote!(let parts: &[&str] = const { &#parts }; #part);
+        return quote!(rt::PartNames::Numbers(const { &#parts }));
     }
     let states = quoted(model.states.iter().map(|state| &state.name.text));
     let bodies = emission.text(quoted(model.bodies.iter().map(|body| &body.name.text)));
-    let (states, part) = (emission.text(states), named(quote!(part)));
-    quote! {
-        const BODIES: &[&str] = &[#bodies];
-        const STATES: &[&str] = &[#states];
-        let part = if index < 2 * NQ {
-            BODIES.get(index % NQ.max(1) / 3)
-        } else {
-            STATES.get(index - 2 * NQ)
-        };
-        #part
-    }
+    let states = emission.text(states);
+    quote!(rt::PartNames::Bodies { bodies: &[#bodies], states: &[#states] })
 }
