@@ -4,14 +4,13 @@ use plm_compiler::lowered::{self, ContactKind, Lowered, ReadByConditions};
 use plm_runtime::absolute::Layout;
 
 use crate::code::Code;
-use crate::kept::{kept, texts};
+use crate::kept::kept;
 use crate::places::Room;
 
 /// Rows of contact of a mechanism.
 #[derive(Debug)]
 pub(crate) struct Contacts {
     pub(crate) lowered: &'static lowered::Contacts,
-    pub(crate) names: &'static [&'static str],
     /// Coefficients of restitution of the rows.
     pub(crate) restitutions: Vec<Code>,
     pub(crate) exist: Option<Code>,
@@ -62,7 +61,6 @@ impl Contacts {
             sliding: chart.sliding.as_ref().map(|sliding| Sliding::new(sliding, mechanism.length, state)),
         };
         Some(Contacts {
-            names: texts(of.rows.iter().map(|row| &row.name)),
             restitutions: of.rows.iter().map(|row| Code::new(&row.restitution, &["values"], state)).collect(),
             exist: of.exist.as_ref().map(|exist| Code::new(exist, &["exist"], state)),
             charts: of.charts.iter().map(chart).collect(),

@@ -23,7 +23,7 @@ impl Mechanism {
 
     /// Names of the rows of contact.
     pub fn contacts(&self) -> &'static [&'static str] {
-        self.models.smallest().contacts.as_ref().map_or(&[], |contacts| contacts.names)
+        self.models.smallest().labels.contacts
     }
 
     /// Names of the start values: x, y, angle, vx, vy, omega of the origin of each body, then first-order states.

@@ -67,7 +67,7 @@ pub fn are_due<S: Real, const K: usize>(numbers: &impl Vector<S>, places: &[&[us
     places.iter().filter_map(|places| places.first()).any(|&place| due(numbers.at(place)) != 0)
 }
 
-/// As the negation of [`are_due`], for states side by side: 0 in the lanes where an angle is to be reduced, 1 elsewhere.
+/// Negation of [`are_due`] for states side by side: 0 in the lanes where an angle is to be reduced, 1 elsewhere.
 #[inline]
 pub fn all_near<T: Scalar, const K: usize>(numbers: &impl Vector<T>, places: &[&[usize]; K]) -> T {
     let first = places.iter().filter_map(|places| places.first());

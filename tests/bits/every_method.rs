@@ -2,10 +2,11 @@
 //! absolute coordinates; also of a run that was saved and goes on.
 
 use plm::Sim;
-use plm::dynamic::{Compiled, Dynamic, Small};
+use plm::dynamic::{Dynamic, Small};
 use plm::runtime::{Described, Linear, Method, methods};
 
 use crate::emitted::{arm_on_jack, double_pendulum, driven_crank, four_bar, slider_crank};
+use crate::from_text::from_text;
 use crate::linearised::chain;
 use crate::linearised::loom::Loom;
 use crate::linearised::mill::Mill;
@@ -68,24 +69,6 @@ fn by_each<M: Described<S = f64> + Linear>(mechanism: M, h: f64) -> Vec<Seen> {
 /// With the stack that a run of many bodies takes without optimisation.
 fn on_large_stack(work: impl FnOnce() + Send + 'static) {
     std::thread::Builder::new().stack_size(64 << 20).spawn(work).unwrap().join().unwrap();
-}
-
-/// A mechanism from the declaration of another one: evaluated by steps, and by machine code from the first evaluation on.
-fn from_text<M: Described<S = f64>, const NQ: usize, const NC: usize, const N: usize, const L: usize>(
-    _: &M,
-) -> Vec<Dynamic<f64, NQ, NC, N, L>> {
-    let text = || -> Dynamic<f64, NQ, NC, N, L> {
-        Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap()
-    };
-    vec![
-        text(),
-        #[cfg(feature = "jit")]
-        {
-            let text = text();
-            text.translate_by(std::sync::Arc::new(plm::jit::Host::new().unwrap().after(0)));
-            text
-        },
-    ]
 }
 
 macro_rules! same_bits {

@@ -3,7 +3,7 @@
 
 use std::fmt::Debug;
 
-use plm::dynamic::{Compiled, Small};
+use plm::dynamic::{Compiled, Dynamic, Small};
 use plm::runtime::described::by_number;
 use plm::runtime::{Described, Linear, Mechanism, Ports, Statics};
 use plm::{
@@ -15,17 +15,32 @@ use crate::emitted::{
 };
 
 /// A mechanism from the declaration of another one: evaluated step by step, and by machine code from the first evaluation on.
-fn from_text<M: Described<S = f64>>(_: &M) -> Vec<Small> {
-    let small = || -> Small { Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap() };
+pub(crate) fn from_text<
+    M: Described<S = f64>,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+>(
+    _: &M,
+) -> Vec<Dynamic<f64, NQ, NC, N, L>> {
+    let text = || -> Dynamic<f64, NQ, NC, N, L> {
+        Compiled::new("mechanism.plm", M::DECLARATION).unwrap().mechanism().unwrap()
+    };
     vec![
-        small(),
+        text(),
         #[cfg(feature = "jit")]
         {
-            let small = small();
-            small.translate_by(std::sync::Arc::new(plm::jit::Host::new().unwrap().after(0)));
-            small
+            let text = text();
+            text.translate_by(std::sync::Arc::new(plm::jit::Host::new().unwrap().after(0)));
+            text
         },
     ]
+}
+
+/// That of a mechanism of at most 8 bodies.
+fn small<M: Described<S = f64>>(mechanism: &M) -> Vec<Small> {
+    from_text(mechanism)
 }
 
 /// Everything that is compared at a moment: poses and velocities, declared outputs.
@@ -97,7 +112,7 @@ fn moment<M: Described<S = f64>>(of: M) -> Vec<u64> {
 /// Static equilibria, and the linear systems around them and around the start.
 fn same_analysis<M: Stabilise + Described + Linearisable>(mechanism: M) {
     let own = analysed(mechanism);
-    for dynamic in from_text(&mechanism) {
+    for dynamic in small(&mechanism) {
         assert_eq!(own, analysed(dynamic));
     }
 }
@@ -116,7 +131,7 @@ fn analysed<M: Stabilise + Described + Linearisable>(of: M) -> Vec<String> {
 }
 
 fn same_bits<M: Described<S = f64> + Statics>(mechanism: M) {
-    for dynamic in from_text(&mechanism) {
+    for dynamic in small(&mechanism) {
         same_description(mechanism, &dynamic);
         let by_steps =
             (mechanism.start_with(Rk4::new(1e-3)).unwrap(), dynamic.start_with(Rk4::new(1e-3)).unwrap());
@@ -131,7 +146,7 @@ fn same_bits<M: Described<S = f64> + Statics>(mechanism: M) {
 
 /// The same by a method with a history.
 fn same_bits_with_history<M: Described<S = f64>>(mechanism: M) {
-    for dynamic in from_text(&mechanism) {
+    for dynamic in small(&mechanism) {
         let adams =
             (mechanism.start_with(Adams::new(1e-8)).unwrap(), dynamic.start_with(Adams::new(1e-8)).unwrap());
         compared(adams, (5, 0.1));
@@ -140,7 +155,7 @@ fn same_bits_with_history<M: Described<S = f64>>(mechanism: M) {
 
 /// The same by methods that solve with derivatives.
 fn same_bits_of_implicit<M: Described<S = f64> + Linear>(mechanism: M) {
-    for dynamic in from_text(&mechanism) {
+    for dynamic in small(&mechanism) {
         let stiff = (
             mechanism.start_with(RadauIia5::new(1e-7)).unwrap(),
             dynamic.start_with(RadauIia5::new(1e-7)).unwrap(),

@@ -43,8 +43,8 @@ struct Picture {
     /// The file, without its folder.
     file: &'static str,
     caption: &'static str,
-    /// What is shown, as the address of the page has it after `#`; and `preset`, from where it is looked at, and `zoom`, beside
-    /// that of all in sight.
+    /// View and curves as the address of the page has them after `#`; with `preset`, the side of the view, and `zoom`, a factor on the scale
+    /// that has all in sight.
     shows: &'static str,
     /// Width and height in pixels.
     size: [u32; 2],

@@ -1,8 +1,7 @@
 //! Near singular poses: the equations in absolute coordinates, in numbers of twice the precision.
 
-use plm_runtime::charts::Charted;
 use plm_runtime::singular::{ByMechanism, ExtendedPrecision};
-use plm_runtime::{DoubleDouble, Real, Scalar, absolute};
+use plm_runtime::{DoubleDouble, Real, Scalar};
 
 use crate::handle::{Dynamic, Frame, Held};
 
@@ -46,26 +45,4 @@ impl<
     fn may_be_singular(&self) -> bool {
         self.model.lowered.may_be_singular
     }
-}
-
-/// The state in absolute coordinates, of one in joint coordinates.
-pub(super) fn full<
-    S: Real,
-    const NQ: usize,
-    const NC: usize,
-    const N: usize,
-    const L: usize,
-    const H: usize,
-    const R: usize,
-    const P: usize,
->(
-    mechanism: &Dynamic<S, NQ, NC, N, L, H, R, P>,
-    t: S,
-    held: &Held<S, NQ, L, H, R>,
-    x: &[S; N],
-) -> [S; N] {
-    let (q, v, _) = Charted::pose(mechanism, t, held, x);
-    let mut full = *x;
-    absolute::join(&q, &v, &mut full);
-    full
 }

@@ -4,7 +4,6 @@ use plm_runtime::{BodyState, Health, InPlace, Moment, Real, absolute, charts, tu
 
 use crate::capacity::{PARAMETERS, ROWS, SWITCHES};
 use crate::handle::{Beside, Dynamic, Frame, Held};
-use crate::system::singular;
 use plm_compiler::lowered::Form;
 
 /// A mechanism with its numbers at one moment.
@@ -91,7 +90,7 @@ impl<
     pub(crate) fn absolute(&self) -> [S; N] {
         match self.mechanism.model.lowered.form {
             Form::Absolute => self.x,
-            Form::Tree | Form::Loops => singular::full(&self.mechanism, self.time, &self.held, &self.x),
+            Form::Tree | Form::Loops => charts::full(&self.mechanism, self.time, &self.held, &self.x),
         }
     }
 

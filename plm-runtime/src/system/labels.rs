@@ -77,21 +77,21 @@ pub trait Labels: Rate {
 
     /// The part that the state with this index belongs to.
     fn part_of_state(&self, index: usize) -> &'static str {
-        number(self, index)
+        self.number_at(index)
             .and_then(|number| self.labels().parts.of(number, self.coordinates()))
             .unwrap_or_default()
     }
 
     /// The name of the state with this index, `arm.omega`; in charts, of the coordinate that it is in each.
     fn name_of_state(&self, index: usize) -> &'static str {
-        let name = number(self, index).and_then(|number| self.labels().states.get(number));
+        let name = self.number_at(index).and_then(|number| self.labels().states.get(number));
         name.copied().unwrap_or_else(|| self.part_of_state(index))
     }
 
     /// The name of the state with this index in the chart that `u` holds.
     fn name_in_chart(&self, u: &Self::U, index: usize) -> &'static str {
         let count = 2 * self.coordinates();
-        let place = number(self, index).filter(|number| *number < count).zip(self.chart_of(u));
+        let place = self.number_at(index).filter(|number| *number < count).zip(self.chart_of(u));
         let name = place.and_then(|(number, chart)| self.labels().in_charts.get(chart * count + number));
         name.copied().unwrap_or_else(|| self.name_of_state(index))
     }
@@ -109,15 +109,5 @@ pub trait Labels: Rate {
     /// All conditions as they were written, by index, for faults that name several.
     fn conditions(&self) -> &'static [&'static str] {
         self.labels().conditions
-    }
-}
-
-/// Number of the state that stands at a place; nothing at a place that is room.
-fn number<M: Rate + ?Sized>(system: &M, place: usize) -> Option<usize> {
-    let coordinates = system.coordinates();
-    match place {
-        _ if place >= 2 * M::NQ => Some(2 * coordinates + place - 2 * M::NQ),
-        _ if place >= M::NQ => Some(coordinates + place - M::NQ).filter(|number| *number < 2 * coordinates),
-        _ => Some(place).filter(|number| *number < coordinates),
     }
 }

@@ -78,14 +78,24 @@ pub trait Rate {
         x.is_finite()
     }
 
-    /// Does the state have a number at this place? Else it is one of the zeros after the last coordinate or the last velocity.
+    /// Number of the state that stands at a place, from 0 without room; nothing at the places of room before first-order states.
+    #[inline]
+    fn number_at(&self, place: usize) -> Option<usize> {
+        let coordinates = self.coordinates();
+        match place {
+            _ if place >= 2 * Self::NQ => Some(2 * coordinates + place - 2 * Self::NQ),
+            _ if place >= Self::NQ => {
+                Some(coordinates + place - Self::NQ).filter(|number| *number < 2 * coordinates)
+            }
+            _ => Some(place).filter(|number| *number < coordinates),
+        }
+    }
+
+    /// True if the state has a number at this place. Otherwise it is one of the zeros after the last coordinate, the last velocity or the
+    /// last first-order state.
     #[inline]
     fn has_number(&self, place: usize) -> bool {
-        let (coordinates, first_order) = (self.coordinates(), self.states() - 2 * self.coordinates());
-        match place.checked_sub(2 * Self::NQ) {
-            Some(k) => k < first_order,
-            None => place % Self::NQ.max(1) < coordinates,
-        }
+        self.number_at(place).is_some_and(|number| number < self.states())
     }
 
     /// Typical size of each state; with the relative tolerance it gives the absolute one: atol = rtol * typical.

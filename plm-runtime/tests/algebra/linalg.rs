@@ -160,7 +160,7 @@ fn room_after_a_matrix_changes_no_bit() {
     }
 }
 
-/// What is zero in value may have derivatives: rotations of constant rows carry tangents as they carry numbers.
+/// Rotations of constant rows carry the tangents of zeros as they carry numbers.
 #[test]
 fn rotations_carry_derivatives_of_zeros() {
     for seed in 0..50 {

@@ -16,7 +16,7 @@ pair! {
     /// II.5, II.6, and their program DOP853).
     DormandPrince853 {
         name: "Dop853", order: 8, rates: 11,
-        /// As expensive as Dormand-Prince 5(4) at 1e-8, and a hundred times as accurate.
+        /// Tolerance at which it costs as much as Dormand-Prince 5(4) at 1e-8, with a hundredth of its error.
         rtol: 1e-9,
         /// The authors' values except for the safety, theirs is 0.9: with that up to a third of the steps is rejected, which
         /// costs the double pendulum, a four-bar and a slider-crank a third more evaluations for an error of 1e-10.

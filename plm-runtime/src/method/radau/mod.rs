@@ -24,7 +24,7 @@ use crate::vector::Vector;
 
 /// Radau IIA of order 5 with three stages: L-stable, with error control, dense output of order 3.
 ///
-/// As the program RADAU5 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8): simplified Newton iteration
+/// Algorithm of the program RADAU5 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8): simplified Newton iteration
 /// that reuses the derivatives while it converges fast, one real and one complex decomposition, an error estimate of order 3.
 /// Its norm is the root mean square of error_i / (rtol' (typical_i + |x_i|)) with rtol' = 0.1 rtol^(2/3), which makes the error
 /// of the solution about rtol. A state that drifted by a tenth of rtol is projected, and the dense output ends there.
