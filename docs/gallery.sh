@@ -4,8 +4,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-if ! [ plm-view/page/node_modules/.package-lock.json -nt plm-view/page/package-lock.json ]; then
-    npm --prefix plm-view/page ci --silent
+if ! [ crates/plm-view/page/node_modules/.package-lock.json -nt crates/plm-view/page/package-lock.json ]; then
+    npm --prefix crates/plm-view/page ci --silent
 fi
 
 # The demos of the manual: curves, pictures, page of the book.
@@ -16,7 +16,7 @@ manual() {
     mkdir -p "$images"
     cp "$made"/*.svg "$images"/
     cp "$made"/gallery.md docs/src/gallery.md
-    node plm-view/page/browser/pictures.js "$made" "$images"
+    node crates/plm-view/page/browser/pictures.js "$made" "$images"
 }
 
 # Machines that people know: moving pictures, page of the book. The arm is one of the demos.
@@ -27,7 +27,7 @@ machines() {
     cargo run --features analysis,batch,lanes --example manual -- DoubleArm --view "$made/arm.html"
     cargo run --features analysis,batch,lanes --example gallery -- --gallery "$made"
     cp "$made"/machines.md docs/src/machines.md
-    node plm-view/page/browser/pictures.js "$made" "$images"
+    node crates/plm-view/page/browser/pictures.js "$made" "$images"
 }
 
 for gallery in "${@:-manual machines}"; do

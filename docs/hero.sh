@@ -4,5 +4,5 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cargo run --quiet -p plm-program --example four_bar
-bash plm-view/page/check.sh --install
-node plm-view/page/browser/hero.js target/plm/four_bar.html docs/src/images
+bash crates/plm-view/page/check.sh --install
+node crates/plm-view/page/browser/hero.js target/plm/four_bar.html docs/src/images

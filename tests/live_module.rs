@@ -81,7 +81,7 @@ fn native() -> String {
 }
 
 /// What a results file would say of the mechanism, and the native run, for the tests of the live page
-/// (`plm-view/page/browser/live.test.js`).
+/// (`crates/plm-view/page/browser/live.test.js`).
 fn about(native: &str) -> serde_json::Value {
     let (of, tables) = (FourBar::new(), <FourBar>::TABLES);
     let place = |name: &str, place: Option<Place<f64>>| {

@@ -34,7 +34,7 @@ book() {
     # Letters stay letters, and no day stands in the picture.
     printf 'svg.fonttype: none\nsvg.hashsalt: plm\nfont.family: sans-serif\n' >matplotlibrc
     SOURCE_DATE_EPOCH=0 MPLBACKEND=svg .venv/bin/python notebook.py | tee said.txt
-    # Colours for readers who prefer a dark scheme: those of charts (plm-view/src/chart/draw/look.rs).
+    # Colours for readers who prefer a dark scheme: those of charts (crates/plm-view/src/chart/draw/look.rs).
     dark='[style*="fill: #ffffff"]{fill:#161a21!important}[style*="stroke: #000000"]{stroke:#9aa5b6!important}'
     dark+='[style*="stroke: #cccccc"]{stroke:#2c333f!important}text{fill:#e6eaf1}'
     sed "0,/^ <defs>\$/s|^ <defs>\$| <style>@media(prefers-color-scheme:dark){$dark}</style>\n <defs>|" pendulum.svg >"$plm/docs/src/images/python.svg"

@@ -20,10 +20,10 @@ if ! "${PYTHON:-python3}" -m venv --clear "$tools" ||
     exit
 fi
 
-cargo fmt --check --manifest-path plm-python/dynamic/Cargo.toml
-cargo clippy --quiet --manifest-path plm-python/dynamic/Cargo.toml -- -D warnings
+cargo fmt --check --manifest-path crates/plm-python/dynamic/Cargo.toml
+cargo clippy --quiet --manifest-path crates/plm-python/dynamic/Cargo.toml -- -D warnings
 rm -rf "$wheels"
-(cd plm-python && PATH="$tools/bin:$PATH" maturin build --release --quiet --out "$wheels")
+(cd crates/plm-python && PATH="$tools/bin:$PATH" maturin build --release --quiet --out "$wheels")
 wheel=$(echo "$wheels"/plm_planar-*-abi3-*.whl)
 printf 'wheel: %s, %s bytes\n' "$(basename "$wheel")" "$(stat -c %s "$wheel" 2>/dev/null || stat -f %z "$wheel")"
 

@@ -7,7 +7,7 @@ import http from "node:http";
 import { createRequire } from "node:module";
 import path from "node:path";
 import test, { after } from "node:test";
-import { unpackText } from "../../plm-view/page/src/packedtext.js";
+import { unpackText } from "../../crates/plm-view/page/src/packedtext.js";
 
 const root = path.join(import.meta.dirname, "../..");
 const book = path.resolve(process.env.PLM_BOOK ?? path.join(root, "target/book"));
@@ -60,7 +60,7 @@ test("every formula is MathML, and no page shows a dollar sign of one", () => {
   }
 });
 
-const require = createRequire(path.join(root, "plm-view/page/package.json"));
+const require = createRequire(path.join(root, "crates/plm-view/page/package.json"));
 const library = (() => {
   try {
     return require("playwright-core");

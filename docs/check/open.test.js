@@ -6,7 +6,7 @@ import fs from "node:fs";
 import path from "node:path";
 import test from "node:test";
 import vm from "node:vm";
-import { unpackText } from "../../plm-view/page/src/packedtext.js";
+import { unpackText } from "../../crates/plm-view/page/src/packedtext.js";
 
 const root = path.join(import.meta.dirname, "../..");
 const source = path.join(root, "docs/src");

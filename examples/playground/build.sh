@@ -14,11 +14,11 @@ if [ "${1:-}" = --book ]; then
     [ -f "$book/index.html" ] || { printf '%s is no built book\n' "$book" >&2; exit 1; }
 fi
 
-bash plm-view/page/check.sh --install
+bash crates/plm-view/page/check.sh --install
 made=$root/target/plm/playground
 mkdir -p "$made"
 (
-    cd plm-view/page
+    cd crates/plm-view/page
     node_modules/.bin/esbuild editor/editor.js --bundle --minify --format=iife --global-name=plmEditor \
         --footer:js="globalThis.plmEditor = plmEditor;" --legal-comments=none --log-level=warning --outfile="$made/bundle.js"
     # The licence of CodeMirror asks to stand beside it.

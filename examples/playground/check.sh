@@ -10,7 +10,7 @@ target=$PWD/target/playground
     cargo clippy -q --release --lib --target wasm32-unknown-unknown --target-dir "$target" -p plm-playground -p plm-jit -- -D warnings)
 texts=$PWD/target/plm/playground/texts
 mkdir -p "$texts"
-for file in examples/gallery/machines/*.rs plm-program/examples/four_bar.rs examples/double_pendulum.rs; do
+for file in examples/gallery/machines/*.rs crates/plm-program/examples/four_bar.rs examples/double_pendulum.rs; do
     "$target/release/twin" --declaration "$file" > "$texts/$(basename "$file" .rs).plm"
 done
 find "$texts" -empty -delete
@@ -21,4 +21,4 @@ cmp "$target/by-module" "$target/by-steps"
 printf '%d texts have the bits of the ordinary program\n' "${#files[@]}"
 
 PLM_PLAYGROUND=$PWD/target/plm/playground.html \
-    node --test --test-reporter=spec plm-view/page/browser/playground.test.js
+    node --test --test-reporter=spec crates/plm-view/page/browser/playground.test.js

@@ -1,6 +1,6 @@
 // Runs texts in the module under node, and prints the bits of every moment: `node run.mjs MODULE FILE…`.
 import { readFileSync } from "node:fs";
-import { instanceOf } from "../../plm-view/page/src/machine.js";
+import { instanceOf } from "../../crates/plm-view/page/src/machine.js";
 
 const module = new WebAssembly.Module(readFileSync(process.argv[2]));
 for (const file of process.argv.slice(3)) {

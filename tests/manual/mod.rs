@@ -19,7 +19,7 @@ use std::sync::OnceLock;
 use crate::demos::DEMOS;
 use crate::demos::sheet::{Line, Sheet};
 
-/// A folder where the browser's tests look for what is written here (`plm-view/page/check.sh`): that which cargo names to the programs
+/// A folder where the browser's tests look for what is written here (`crates/plm-view/page/check.sh`): that which cargo names to the programs
 /// of `tests/` alone.
 fn made(name: &str) -> PathBuf {
     let program = std::env::current_exe().unwrap();

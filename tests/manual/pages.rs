@@ -1,4 +1,4 @@
-//! Runs of the demos as results files and pages, which the browser's tests open (`plm-view/page/browser/scenes.test.js`).
+//! Runs of the demos as results files and pages, which the browser's tests open (`crates/plm-view/page/browser/scenes.test.js`).
 
 use std::path::{Path, PathBuf};
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-#[path = "../../plm-program/examples/four_bar.rs"]
+#[path = "../../crates/plm-program/examples/four_bar.rs"]
 #[allow(dead_code, reason = "the example has a `main`")]
 mod four_bar;
 
@@ -36,7 +36,7 @@ fn declaration(code: &str) -> &str {
 fn the_declaration_is_that_of_the_example() {
     let readme = text("README.md");
     let code = block(&readme, "rust", 0);
-    assert_eq!(declaration(code), declaration(&text("plm-program/examples/four_bar.rs")));
+    assert_eq!(declaration(code), declaration(&text("crates/plm-program/examples/four_bar.rs")));
     assert_eq!(block(&readme, "text", 0).trim(), four_bar::quarter().unwrap());
 }
 

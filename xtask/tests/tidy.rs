@@ -140,15 +140,15 @@ fn unsafe_code_stands_in_few_files() {
         // Assembly for square roots, built where a feature asks for it.
         "plm-runtime/math/processor/src/lib.rs",
         // Pointers of other languages, and the tests by which Miri looks at them; nothing else that is shipped has a reason.
-        "plm-foreign/src/ffi.rs",
-        "plm-foreign/src/ffi/linear.rs",
-        "plm-foreign/src/ffi/names.rs",
-        "plm-foreign/src/fmi/ffi.rs",
-        "plm-foreign/src/fmi/ffi/",
+        "crates/plm-foreign/src/ffi.rs",
+        "crates/plm-foreign/src/ffi/linear.rs",
+        "crates/plm-foreign/src/ffi/names.rs",
+        "crates/plm-foreign/src/fmi/ffi.rs",
+        "crates/plm-foreign/src/fmi/ffi/",
         // Calls of machine code, and what it calls with pointers.
-        "plm-jit/src/call.rs",
-        "plm-foreign/tests/ffi.rs",
-        "plm-foreign/tests/fmi.rs",
+        "crates/plm-jit/src/call.rs",
+        "crates/plm-foreign/tests/ffi.rs",
+        "crates/plm-foreign/tests/fmi.rs",
     ];
     let wrong: Vec<String> = lines(files(&["rs"]))
         .filter(|(file, _, line)| {
@@ -223,7 +223,7 @@ fn has_own_lints(file: &Path, text: &str) -> bool {
     let workspace = fs::read_to_string(root().join("Cargo.toml")).unwrap();
     let (_, lints) = workspace.split_once("[workspace.lints.rust]").unwrap();
     let warned: Vec<&str> = lints.lines().filter(|line| line.contains("\"warn\"")).collect();
-    ["plm-foreign/Cargo.toml", "plm-jit/Cargo.toml", "plm-runtime/math/processor/Cargo.toml"]
+    ["crates/plm-foreign/Cargo.toml", "crates/plm-jit/Cargo.toml", "plm-runtime/math/processor/Cargo.toml"]
         .contains(&shown(file).as_str())
         && text.contains("unsafe_code = \"deny\"")
         && warned.len() > 8

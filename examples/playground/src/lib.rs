@@ -1,7 +1,7 @@
 //! A mechanism from text as a module of WebAssembly: the compiler and the runtime behind functions of numbers.
 //!
 //! A page writes a text into [`plm_room`] and calls [`plm_compile`]. Where it is a mechanism, [`plm_results`] has what a page draws it by,
-//! and the functions of a live module (`plm-view/src/live/shim.rs.txt`) run it; bodies can be pulled. Where it is none,
+//! and the functions of a live module (`crates/plm-view/src/live/shim.rs.txt`) run it; bodies can be pulled. Where it is none,
 //! [`plm_message`] has the diagnostics, and the mechanism before goes on.
 
 mod session;

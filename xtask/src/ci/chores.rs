@@ -99,7 +99,7 @@ pub(super) fn curves(place: &Place) -> Result {
 
 pub(super) fn page(place: &Place) -> Result {
     example(place, "page")?;
-    let check = place.command("bash plm-view/page/check.sh");
+    let check = place.command("bash crates/plm-view/page/check.sh");
     check.set("PLM_PAGE", place.target.join("debug/examples/page")).run()
 }
 

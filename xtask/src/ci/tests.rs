@@ -12,7 +12,7 @@ const DISTURBED: &str = "disturbed_declarations_are_answered";
 /// Tools that tests of other languages need. One after the other: both ask apt.
 pub(super) fn tools(place: &Place) -> Result {
     place.command("bash tests/clang.sh").arg(place.target.join("clang")).run()?;
-    place.command("bash plm-view/page/check.sh --install").run()
+    place.command("bash crates/plm-view/page/check.sh --install").run()
 }
 
 /// Rules of CONTRIBUTING.md that a machine can read.

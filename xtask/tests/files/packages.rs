@@ -209,7 +209,7 @@ fn the_readme_and_the_front_page_name_this_version() {
     let version = version.unwrap();
     for (file, line) in [
         ("src/README.md", format!("plm-planar = \"{version}\"")),
-        ("plm-python/dynamic/Cargo.toml", format!("version = \"{version}\"")),
+        ("crates/plm-python/dynamic/Cargo.toml", format!("version = \"{version}\"")),
         ("src/lib.rs", format!("plm-planar = {{ version = \"{version}\", default-features = false }}")),
     ] {
         assert!(read(file).contains(&line), "{file} does not say `{line}`");

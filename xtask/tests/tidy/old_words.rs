@@ -61,9 +61,9 @@ pub(crate) const OLD_WORDS: [(&str, &str, &str); 64] = [
     ("plm-macros/", "piece", "fragment"),
     ("plm-macros/compiler/src/emit/", "rolled", "rerolled"),
     ("plm-macros/compiler/src/emit/", "families", "indexed accessors"),
-    ("plm-foreign/", "border", "ffi"),
-    ("plm-foreign/src/fmi/", "trouble", "error"),
-    ("plm-foreign/src/ffi/", "trouble", "error"),
+    ("crates/plm-foreign/", "border", "ffi"),
+    ("crates/plm-foreign/src/fmi/", "trouble", "error"),
+    ("crates/plm-foreign/src/ffi/", "trouble", "error"),
     ("src/live", "trouble", "error"),
-    ("plm-analysis/src/stabilise/", "look", "evaluation"),
+    ("crates/plm-analysis/src/stabilise/", "look", "evaluation"),
 ];

@@ -20,7 +20,7 @@ fn names_are_those_of_the_vocabulary() {
 }
 
 /// Sources of packages: their doc comments begin with the noun of what they describe.
-const PLAIN_ROOMS: [&str; 2] = ["plm-", "src/"];
+const PLAIN_ROOMS: [&str; 3] = ["crates/", "plm-", "src/"];
 /// First words of sentences that have no noun.
 const NO_NOUN: [&str; 4] = ["What ", "Whether ", "Where ", "The same"];
 

@@ -10,7 +10,8 @@ use crate::pages;
 use super::reference::Scene;
 
 /// Folders of Rust files for readers, some of which have a `mechanism!`.
-const FOLDERS: [&str; 4] = ["examples", "benches", "plm-optimise/examples", "plm-program/examples"];
+const FOLDERS: [&str; 4] =
+    ["examples", "benches", "crates/plm-optimise/examples", "crates/plm-program/examples"];
 
 /// All of them, those that ask for no formulation twice.
 pub(super) fn scenes() -> &'static [Scene] {
