@@ -1,7 +1,8 @@
 //! Modules of a crate may depend on each other in circles of three at most, so that each room can be read by itself.
 //!
 //! A module is a file or a folder beside `lib.rs`; it depends on those that its sources name after `crate::`, and at its top after
-//! `super::`. Names that `lib.rs` exports again count for the module that has them.
+//! `super::`. Names that `lib.rs` exports again count for the module that has them. Large modules are looked at as crates are: `mod.rs`
+//! is their `lib.rs`, and their path stands after `crate::`.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,10 +26,10 @@ const CRATES: [&str; 19] = [
     "crates/plm-run/src",
     "plm-runtime/math/src",
     "plm-runtime/src",
-    "crates/plm-sketch/src",
     "crates/plm-study/src",
     "crates/plm-synthesis/src",
     "crates/plm-view/src",
+    "crates/plm-view/src/sketch",
 ];
 const LARGEST: usize = 3;
 
@@ -91,17 +92,18 @@ fn graph(source: &Path) -> Graph {
     let modules: Vec<(String, PathBuf)> = entries(source)
         .into_iter()
         .filter_map(|path| Some((path.file_stem()?.to_str()?.to_owned(), path)))
-        .filter(|(name, _)| name != "lib" && name != "main")
+        .filter(|(name, _)| !["lib", "main", "mod"].contains(&name.as_str()))
         .collect();
     let names: BTreeSet<&str> = modules.iter().map(|(name, _)| name.as_str()).collect();
-    let exported = exported(&fs::read_to_string(source.join("lib.rs")).unwrap());
+    let (root, prefix) = root(source);
+    let exported = exported(&fs::read_to_string(root).unwrap());
     let mut graph = Graph::new();
     for (module, path) in &modules {
         let depends = graph.entry(module.clone()).or_default();
         for file in files(path) {
             let text = code(&fs::read_to_string(&file).unwrap());
             let is_top = file == *path || file == path.join("mod.rs");
-            let mut named = after("crate::", &text);
+            let mut named = after(&prefix, &text);
             if is_top {
                 named.extend(after("super::", &text));
             }
@@ -110,6 +112,16 @@ fn graph(source: &Path) -> Graph {
         }
     }
     graph
+}
+
+/// The file that names the modules of a folder, and the path of its modules in their crate.
+fn root(source: &Path) -> (PathBuf, String) {
+    if source.ends_with("src") {
+        return (source.join("lib.rs"), "crate::".to_owned());
+    }
+    let folders: Vec<&str> = source.components().map(|part| part.as_os_str().to_str().unwrap()).collect();
+    let crate_at = folders.iter().rposition(|folder| *folder == "src").unwrap();
+    (source.join("mod.rs"), format!("crate::{}::", folders[crate_at + 1..].join("::")))
 }
 
 /// Code without comments, and without the tests at its end.

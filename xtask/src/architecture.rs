@@ -22,7 +22,7 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 }
 
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
-const PLACES: [Place; 21] = [
+const PLACES: [Place; 20] = [
     place("plm-planar", "plm, the users' crate", 480, 0),
     place("plm-cli", "the command line", 274, 0),
     place("plm-jit", "machine code", 334, 1),
@@ -33,7 +33,6 @@ const PLACES: [Place; 21] = [
     place("plm-program", "whole programs", 584, 2),
     place("plm-compiler", "declaration to code", 84, 3),
     place("plm-python", "runs for Python", 664, 3),
-    place("plm-sketch", "drawings", 876, 3),
     place("plm-cas", "symbolic algebra", 84, 4),
     place("plm-study", "many runs", 240, 4),
     place("plm-synthesis", "dimensions", 234, 3),

@@ -12,7 +12,6 @@ mod server;
 mod sketch;
 
 pub use plm_foreign::fmi::Version;
-pub use plm_sketch::{Block, Sense, Side, Sketch, Symbol};
 pub use plm_view::*;
 
 pub use arguments::{Arguments, Known};

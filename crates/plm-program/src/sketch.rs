@@ -2,8 +2,7 @@
 
 use plm_runtime::described::Place;
 use plm_runtime::{AsMoment, Described, Moment, Scalar};
-use plm_sketch::Sketch;
-use plm_view::{Mechanism, mechanism};
+use plm_view::{Mechanism, Sketch, mechanism};
 
 /// A schematic drawing of a mechanism at a moment: of a `Sim` or of a state. [`Sketch::with_gravity`] sets the gravity.
 ///
@@ -18,7 +17,7 @@ use plm_view::{Mechanism, mechanism};
 /// # }
 /// fn main() -> Result<(), Box<dyn std::error::Error>> {
 ///     let sim = Pendulum::new().start()?;
-///     let path = std::env::temp_dir().join("plm-sketch-doc/pendulum.svg");
+///     let path = std::env::temp_dir().join("plm-view-sketch/pendulum.svg");
 ///     plm::view::sketch(&sim).with_gravity([0.0, -9.81]).write_svg(&path)?;
 ///     assert!(std::fs::read_to_string(&path)?.contains(">hinge</text>"));
 ///     # std::fs::remove_dir_all(path.parent().unwrap())?;

@@ -22,7 +22,9 @@
 //! written and viewed.
 //!
 //! The crate knows numbers, names and units, and the description of a mechanism in a results file. A [`Recorder`] takes that description of
-//! any mechanism by its contract, `plm::Described`.
+//! any mechanism by its contract, `plm::Described`. The feature `sketch` has [schematic drawings](Sketch) of such a description.
+#![cfg_attr(not(feature = "sketch"), allow(rustdoc::broken_intra_doc_links, reason = "the feature `sketch`"))]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod chart;
 mod described;
@@ -37,6 +39,8 @@ mod recording;
 mod replace;
 mod results;
 pub mod serve;
+#[cfg(feature = "sketch")]
+mod sketch;
 #[doc(hidden)]
 pub mod svg;
 
@@ -52,3 +56,5 @@ pub use replace::replace_file;
 pub use results::{
     Body, Frame, GroundPort, Mechanism, Parameter, Part, Port, Quantity, Report, Results, Shape,
 };
+#[cfg(feature = "sketch")]
+pub use sketch::{Block, Sense, Side, Sketch, Symbol};

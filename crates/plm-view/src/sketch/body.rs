@@ -2,11 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use plm_view::Part;
-
 use super::joint::BESIDE_BLOCK;
 use super::paper::{Point, beside};
 use super::stage::Stage;
+use crate::Part;
 
 /// A body whose ports are nearer to each other is a disc, in pixels.
 const POINT: f64 = 12.0;

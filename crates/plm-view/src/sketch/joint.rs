@@ -2,10 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use plm_view::Part;
-
 use super::paper::{Point, beside};
 use super::stage::{Spot, Stage, top};
+use crate::Part;
 
 const PIN: f64 = 6.0;
 /// Half of a block's length and width, in pixels.

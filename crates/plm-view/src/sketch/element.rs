@@ -2,11 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use plm_view::Part;
-
 use super::Sense;
 use super::paper::{Point, beside};
 use super::stage::Stage;
+use crate::Part;
 
 /// Length of the arrow of a sense, in pixels.
 const ARROW: f64 = 50.0;

@@ -16,10 +16,9 @@ mod wheel;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use plm_view::svg::write_file;
-use plm_view::{Error, Mechanism};
-
 use self::stage::Stage;
+use crate::svg::write_file;
+use crate::{Error, Mechanism};
 
 pub use block::{Block, Side};
 pub use symbol::Symbol;
@@ -39,8 +38,7 @@ pub enum Sense {
 /// A drawing of a mechanism at one pose, 600 pixels wide.
 ///
 /// ```
-/// use plm_sketch::Sketch;
-/// use plm_view::{Body, Frame, GroundPort, Mechanism, Part, Port};
+/// use plm_view::{Body, Frame, GroundPort, Mechanism, Part, Port, Sketch};
 ///
 /// let (x, y, angle) = (0.0, 0.0, 0.0);
 /// let ground = GroundPort { name: "o".into(), x, y, angle, depth: 0.0, moves: false };

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use plm_view::svg::escape;
+use crate::svg::escape;
 
 /// A place on the paper, in pixels, y downwards.
 pub(super) type Point = [f64; 2];

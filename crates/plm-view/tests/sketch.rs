@@ -4,8 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use plm_sketch::{Block, Sense, Side, Sketch, Symbol};
-use plm_view::{Body, Frame, GroundPort, Mechanism, Part, Port};
+use plm_view::{Block, Body, Frame, GroundPort, Mechanism, Part, Port, Sense, Side, Sketch, Symbol};
 use roxmltree::{Document, Node};
 
 fn port(name: &str, x: f64, y: f64) -> Port {

@@ -2,11 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use plm_view::{Frame, Part, Shape};
-
 use super::label::{self, Label};
 use super::paper::{Paper, Point, beside};
 use super::{Sketch, WIDTH, look};
+use crate::{Frame, Part, Shape};
 
 /// Left and right end of the room for the mechanism, in pixels; on its left stand the axes.
 const FIELD: [f64; 2] = [84.0, WIDTH - 10.0];

@@ -1,8 +1,7 @@
 //! Texts that find places where nothing else is.
 
-use plm_view::svg::text_width;
-
 use super::paper::{Paper, Point, beside};
+use crate::svg::text_width;
 
 /// Half the height of a line of text, in pixels.
 const HALF_LINE: f64 = 8.0;

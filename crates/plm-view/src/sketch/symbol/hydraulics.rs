@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{Board, Point};
-use crate::element::zigzag;
+use crate::sketch::element::zigzag;
 
 /// Direction of the triangle in the circle of a displacement machine.
 #[derive(Clone, Copy, PartialEq, Eq)]

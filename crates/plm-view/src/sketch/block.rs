@@ -2,12 +2,11 @@
 
 use std::path::Path;
 
-use plm_view::Error;
-use plm_view::svg::{text_width, wrap, write_file};
-
 use super::paper::{Paper, Point};
 use super::symbol::Symbol;
 use super::{WIDTH, look};
+use crate::Error;
+use crate::svg::{text_width, wrap, write_file};
 
 /// Middle and half of the sides of the box, in pixels.
 const MIDDLE: Point = [0.5 * WIDTH, 0.0];
@@ -51,7 +50,7 @@ struct Pin {
 /// A box with named ports and signals, 600 pixels wide.
 ///
 /// ```
-/// use plm_sketch::{Block, Side, Symbol};
+/// use plm_view::{Block, Side, Symbol};
 ///
 /// let orifice = Block::new("orifice", Symbol::Orifice)
 ///     .port(Side::Left, "a")

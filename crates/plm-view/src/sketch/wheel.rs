@@ -2,10 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use plm_view::Part;
-
 use super::paper::{Point, beside};
 use super::stage::{Spot, Stage};
+use crate::Part;
 
 /// A wheel: where its centre is, its signed radius in pixels, and its frame in the part.
 #[derive(Clone, Copy)]

@@ -2,10 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use plm_view::{Frame, Part, Shape};
-
 use super::paper::{Point, beside};
 use super::stage::Stage;
+use crate::{Frame, Part, Shape};
 
 /// The unit of symbols, in pixels.
 const UNIT: f64 = 6.0;

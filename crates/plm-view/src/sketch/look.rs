@@ -1,8 +1,7 @@
 //! Colours and lines of a picture, light and dark, and its frame.
 
-use plm_view::svg::{CURVES, FONT, INK, escape};
-
 use super::paper::number;
+use crate::svg::{CURVES, FONT, INK, escape};
 
 /// Style that is equal in light and dark.
 const LINES: &str = "\
