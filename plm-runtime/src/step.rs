@@ -4,7 +4,6 @@
 use crate::contact::{Solution, Stride};
 use crate::events;
 use crate::fault::{Cause, Fault};
-use crate::lanes::Pack;
 use crate::mechanism::{InPlace, Mechanism, Moment};
 use crate::method::{
     Context, DriftCheck, Estimate, Formula, Length, Rk4Formula, Ros34Pw2Formula, Trial, unhealthy,
@@ -72,7 +71,7 @@ pub fn step<T, M>(
     formula: impl FnOnce(&M, M::S, &M::U, &mut M::X) -> Result<Health<M::S>, Fault>,
 ) -> Result<(), Fault>
 where
-    M: Pack,
+    M: Mechanism,
     T: Stepped<M = M>,
 {
     let (InPlace { system, held, time, x }, remainder) = moment.stepped();
@@ -104,7 +103,7 @@ pub fn moreau_jean<T, M, const EVALUATIONS: usize>(
     theta: M::S,
 ) -> Result<Solution<M::S>, Fault>
 where
-    M: Pack,
+    M: Mechanism,
     T: Stepped<M = M>,
 {
     const { assert!(EVALUATIONS > 0, "a step takes one evaluation or more") }
@@ -135,7 +134,7 @@ where
 
 /// The `end` of a step of `h` from `time`, where one can begin. A step may be shorter than the rounding of the time: some of them together move it.
 #[inline]
-fn end_of<M: Pack>(system: &M, held: &M::U, (time, h): (M::S, M::S), end: M::S) -> Result<M::S, Fault> {
+fn end_of<M: Mechanism>(system: &M, held: &M::U, (time, h): (M::S, M::S), end: M::S) -> Result<M::S, Fault> {
     if !system.is_regular(held) {
         return Err(not_regular(time));
     }
@@ -147,9 +146,9 @@ fn end_of<M: Pack>(system: &M, held: &M::U, (time, h): (M::S, M::S), end: M::S) 
 /// True if nothing is to be done after a step. All conditions are evaluated at its end; of a loop in a good chart, only whether the state
 /// is still near the last checked one.
 #[inline]
-fn is_uneventful<M: Pack>(step: &Step<'_, M>) -> bool {
+fn is_uneventful<M: Mechanism>(step: &Step<'_, M>) -> bool {
     let &Step { system, held, from: (start, _), to: (end, x), .. } = step;
-    system.is_calm(end, held, x)
+    system.is_settled(end, held, x)
         && !drifts(system, held, (end, x))
         && matches!(M::Rescue::nearness(step, Length::Alone), Nearness::Regular)
         && events::are_satisfied(system, end, held, x)

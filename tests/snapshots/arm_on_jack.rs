@@ -386,6 +386,11 @@ mod plm_arm_on_jack_ {
             }
 
             #[inline]
+            fn is_settled(&self, _t: S, _u: &Self::U, x: &[S; 10]) -> bool {
+                !rt::turns::are_due(x, &[&[0]])
+            }
+
+            #[inline]
             fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 10]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0]]);
                 Ok(rt::Updated { turned, ..Default::default() })
@@ -810,11 +815,6 @@ mod plm_arm_on_jack_ {
             }
 
             const WATCHED: bool = true;
-            #[inline]
-            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
-                !rt::turns::are_due(x, &[&[0]])
-            }
-
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; 10], t: T, held: &Held<T>, x: &[T; 10]) -> T {
                 rt::turns::all_near(x, &[&[0]])

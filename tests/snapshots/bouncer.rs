@@ -325,6 +325,11 @@ mod plm_bouncer_ {
                 rt::linear::ask::<Self, Q>(self, u, question)
             }
 
+            #[inline]
+            fn is_settled(&self, _t: S, _u: &Self::U, _x: &[S; 4]) -> bool {
+                true
+            }
+
             fn energy(&self, t: S, u: &Self::U, x: &[S; 4]) -> Option<rt::Energy<S>> {
                 let state = <State<S> as rt::Moment>::new(*self, *u, t, *x);
                 let (kinetic, gravity) = (state.kinetic_energy(), state.gravity_energy());
@@ -659,11 +664,6 @@ mod plm_bouncer_ {
             }
 
             const WATCHED: bool = true;
-            #[inline]
-            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
-                true
-            }
-
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; 4], t: T, held: &Held<T>, x: &[T; 4]) -> T {
                 T::lit(1.0)

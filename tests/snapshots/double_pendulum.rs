@@ -378,6 +378,11 @@ mod plm_double_pendulum_ {
             }
 
             #[inline]
+            fn is_settled(&self, _t: S, _u: &Self::U, x: &[S; 4]) -> bool {
+                !rt::turns::are_due(x, &[&[0], &[1]])
+            }
+
+            #[inline]
             fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 4]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[0], &[1]]);
                 Ok(rt::Updated { turned, ..Default::default() })
@@ -758,11 +763,6 @@ mod plm_double_pendulum_ {
             }
 
             const WATCHED: bool = false;
-            #[inline]
-            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
-                !rt::turns::are_due(x, &[&[0], &[1]])
-            }
-
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; 4], t: T, held: &Held<T>, x: &[T; 4]) -> T {
                 rt::turns::all_near(x, &[&[0], &[1]])

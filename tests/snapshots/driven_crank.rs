@@ -462,6 +462,11 @@ mod plm_driven_crank_ {
             }
 
             #[inline]
+            fn is_settled(&self, t: S, u: &Self::U, x: &[S; 0]) -> bool {
+                rt::charts::is_calm(self, t, u, x)
+            }
+
+            #[inline]
             fn update(&self, t: S, u: &mut Self::U, x: &mut [S; 0]) -> Result<rt::Updated, Fault> {
                 rt::charts::update(self, t, u, x)
             }
@@ -1105,11 +1110,6 @@ mod plm_driven_crank_ {
             }
 
             const WATCHED: bool = false;
-            #[inline]
-            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
-                rt::charts::is_calm(self, t, held, x)
-            }
-
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; 0], t: T, held: &Held<T>, x: &[T; 0]) -> T {
                 rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)

@@ -616,6 +616,11 @@ mod plm_four_bar_ {
             }
 
             #[inline]
+            fn is_settled(&self, t: S, u: &Self::U, x: &[S; 2]) -> bool {
+                rt::charts::is_calm(self, t, u, x)
+            }
+
+            #[inline]
             fn update(&self, t: S, u: &mut Self::U, x: &mut [S; 2]) -> Result<rt::Updated, Fault> {
                 rt::charts::update(self, t, u, x)
             }
@@ -1281,11 +1286,6 @@ mod plm_four_bar_ {
             }
 
             const WATCHED: bool = false;
-            #[inline]
-            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
-                rt::charts::is_calm(self, t, held, x)
-            }
-
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; 2], t: T, held: &Held<T>, x: &[T; 2]) -> T {
                 rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)

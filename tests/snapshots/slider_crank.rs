@@ -368,6 +368,11 @@ mod plm_slider_crank_ {
             }
 
             #[inline]
+            fn is_settled(&self, _t: S, _u: &Self::U, x: &[S; 18]) -> bool {
+                !rt::turns::are_due(x, &[&[2], &[5]])
+            }
+
+            #[inline]
             fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; 18]) -> Result<rt::Updated, Fault> {
                 let turned = rt::turns::unwind(&mut u.turns, x, &[&[2], &[5]]);
                 Ok(rt::Updated { turned, ..Default::default() })
@@ -959,11 +964,6 @@ mod plm_slider_crank_ {
             }
 
             const WATCHED: bool = true;
-            #[inline]
-            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
-                !rt::turns::are_due(x, &[&[2], &[5]])
-            }
-
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; 18], t: T, held: &Held<T>, x: &[T; 18]) -> T {
                 rt::turns::all_near(x, &[&[2], &[5]])

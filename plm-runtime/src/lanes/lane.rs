@@ -62,7 +62,7 @@ impl<'a, M: Pack<S = f64>, I: Method<M>> Lane<'a, M, I> {
             && self.history.counts.is_none()
             && self.method.drift_check(system) == DriftCheck::Skip
             && M::Rescue::nearness(&step, I::LENGTH) == Nearness::Regular
-            && system.is_calm(*time, held, x)
+            && system.is_settled(*time, held, x)
             && (Detector::has_none::<M, I>(system, held)
                 || self.detector.excludes_events(self.history, &step))
     }

@@ -70,10 +70,7 @@ pub trait Pack: Mechanism {
     /// that are nearly singular.
     const WATCHED: bool;
 
-    /// True if [`Constraints::update`](crate::Constraints::update) has nothing to do at a state.
-    fn is_calm(&self, t: Self::S, held: &Self::U, x: &Self::X) -> bool;
-
-    /// As [`is_calm`](Self::is_calm), for states side by side, with the typical size of each number: 1 in the lanes where there is nothing
+    /// As [`Constraints::is_settled`](crate::Constraints::is_settled), for states side by side, with the typical size of each number: 1 in the lanes where there is nothing
     /// to do, 0 elsewhere.
     fn are_calm<T: Scalar>(
         typical: &<Self::Packed<T> as Rate>::X,

@@ -78,7 +78,7 @@ pub trait Constraints: Rate {
         Ok(Updated::default())
     }
 
-    /// Is [`is_settled`](Self::is_settled) of use: is the discrete state so large that copies of it take a part of a step?
+    /// Do [runs](crate::Sim) ask [`is_settled`](Self::is_settled): is the discrete state so large that copies of it take a part of a step?
     const SETTLES: bool = false;
 
     /// Would [`update`](Self::update) find and change nothing after a step? False where that is not known.

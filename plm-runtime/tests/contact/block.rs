@@ -155,6 +155,9 @@ impl<S: Real> rt::Constraints for Block<S> {
     fn drift(&self, t: S, u: &Self::U, x: &[S; LENGTH]) -> rt::Drift<S> {
         rt::contact::drift::<Self, ROWS>(self, t, u, x)
     }
+    fn is_settled(&self, _t: S, _u: &Held<S>, _x: &[S; LENGTH]) -> bool {
+        true
+    }
 }
 
 impl<S: Real> rt::Switched for Block<S> {
@@ -241,9 +244,6 @@ impl<S: Real> rt::lanes::Pack for Block<S> {
         let input = Input { pull: number(all.map(|held| held.input.pull)) };
         let switches = core::array::from_fn(|k| number(all.map(|held| held.switches[k])));
         rt::Held { input, switches, turns: [], of_loops: (), contact }
-    }
-    fn is_calm(&self, _t: S, _held: &Held<S>, _x: &[S; LENGTH]) -> bool {
-        true
     }
     fn are_calm<T: Scalar>(_typical: &[T; LENGTH], _t: T, _held: &Held<T>, _x: &[T; LENGTH]) -> T {
         T::lit(1.0)

@@ -15,7 +15,7 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
     let params = params.map(|field| format!("{field}: number(rt::Vector::from_fn(|i| all[i].{field}))"));
     let (params, inputs) = (emission.lines(params), &fields.inputs);
     let none = inputs.is_empty().then(|| quote!(none: core::marker::PhantomData,));
-    let Lanes { watched, calm: (is_calm, are_calm), are_short, look } = lanes(emission);
+    let Lanes { watched, are_calm, are_short, look } = lanes(emission);
     let length = &emission.sizes.length;
     let [switches, of_loops, turns] = discrete(emission);
     let contact = if contact::are_there(emission) {
@@ -61,11 +61,6 @@ pub(crate) fn pack(emission: &Emission) -> TokenStream {
             }
 
             const WATCHED: bool = #watched;
-
-            #[inline]
-            fn is_calm(&self, t: S, held: &Held<S>, x: &Self::X) -> bool {
-                #is_calm
-            }
 
             #[inline]
             fn are_calm<T: Scalar>(typical: &[T; #length], t: T, held: &Held<T>, x: &[T; #length]) -> T {
@@ -177,8 +172,7 @@ fn discrete(emission: &Emission) -> [TokenStream; 3] {
 /// Checks of steps of several mechanisms side by side.
 struct Lanes {
     watched: bool,
-    /// `is_calm` and `are_calm`.
-    calm: (TokenStream, TokenStream),
+    are_calm: TokenStream,
     are_short: TokenStream,
     look: TokenStream,
 }
@@ -188,7 +182,7 @@ fn lanes(emission: &Emission) -> Lanes {
     let Some(reduced) = emission.loops() else {
         return Lanes {
             watched: !emission.is_reduced() || has_guards,
-            calm: turns::are_near(emission),
+            are_calm: turns::are_near(emission),
             are_short: quote!(T::lit(1.0)),
             look: quote!(T::lit(0.0)),
         };
@@ -199,10 +193,7 @@ fn lanes(emission: &Emission) -> Lanes {
     };
     Lanes {
         watched: has_guards,
-        calm: (
-            quote!(rt::charts::is_calm(self, t, held, x)),
-            quote!(rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)),
-        ),
+        are_calm: quote!(rt::charts::are_calm::<Self, T, _>(typical, t, &held.of_loops, x)),
         are_short: quote!(rt::charts::are_short::<Self, T, _>(typical, &held.of_loops, legs)),
         // The unknowns of iterations are followed one by one.
         look: if reduced.followed.is_empty() { look } else { quote!(T::lit(0.0)) },

@@ -170,6 +170,11 @@ fn in_charts(emission: &Emission) -> TokenStream {
         }
 
         #[inline]
+        fn is_settled(&self, t: S, u: &Self::U, x: &[S; #length]) -> bool {
+            rt::charts::is_calm(self, t, u, x)
+        }
+
+        #[inline]
         fn update(&self, t: S, u: &mut Self::U, x: &mut [S; #length]) -> Result<rt::Updated, Fault> {
             rt::charts::update(self, t, u, x)
         }

@@ -73,11 +73,24 @@ fn in_state(emission: &Emission) -> Option<TokenStream> {
     Some(all_places(emission, &chart.turning))
 }
 
-/// `update` of what has no charts.
+/// `update` and `is_settled` of what has no charts.
 pub(super) fn update(emission: &Emission) -> Option<TokenStream> {
     let Sizes { length, .. } = &emission.sizes;
-    let places = are_counted(emission).then(|| in_state(emission)).flatten()?;
+    let (Form::Tree(_) | Form::Absolute) = emission.form else { return None };
+    let Some(places) = are_counted(emission).then(|| in_state(emission)).flatten() else {
+        return Some(quote! {
+            #[inline]
+            fn is_settled(&self, _t: S, _u: &Self::U, _x: &[S; #length]) -> bool {
+                true
+            }
+        });
+    };
     Some(quote! {
+        #[inline]
+        fn is_settled(&self, _t: S, _u: &Self::U, x: &[S; #length]) -> bool {
+            !rt::turns::are_due(x, #places)
+        }
+
         #[inline]
         fn update(&self, _t: S, u: &mut Self::U, x: &mut [S; #length]) -> Result<rt::Updated, Fault> {
             let turned = rt::turns::unwind(&mut u.turns, x, #places);
@@ -86,13 +99,11 @@ pub(super) fn update(emission: &Emission) -> Option<TokenStream> {
     })
 }
 
-/// Conditions that no angle is to be brought back at a state, and at several side by side; not of loops.
-pub(super) fn are_near(emission: &Emission) -> (TokenStream, TokenStream) {
+/// The condition that no angle is to be brought back at states side by side; not of loops.
+pub(super) fn are_near(emission: &Emission) -> TokenStream {
     match in_state(emission) {
-        Some(places) if are_counted(emission) => {
-            (quote!(!rt::turns::are_due(x, #places)), quote!(rt::turns::all_near(x, #places)))
-        }
-        _ => (quote!(true), quote!(T::lit(1.0))),
+        Some(places) if are_counted(emission) => quote!(rt::turns::all_near(x, #places)),
+        _ => quote!(T::lit(1.0)),
     }
 }
 
