@@ -4,6 +4,7 @@
 //! contracts of the runtime over them, so that assembly, events, charts and every method are those of compiled mechanisms, and so are
 //! the bits.
 
+mod alone;
 mod augmented;
 mod capacity;
 mod code;
@@ -19,6 +20,7 @@ mod kept;
 mod memory;
 mod model;
 mod native;
+mod numbers;
 mod places;
 mod record;
 mod recorded;
@@ -30,12 +32,14 @@ mod system;
 mod text;
 mod whole;
 
+pub use self::alone::Steps;
 pub use self::column::Column;
 pub use self::course::{Change, Course};
 pub use self::declared::Declared;
 pub use self::gradient::{By, Derivative};
 pub use self::handle::{Dynamic, Starts};
 pub use self::native::{Element, Function, Input, MachineCode, Tier, Translator};
+pub use self::numbers::Numbers;
 pub use self::record::{Reason, Sample, Watch};
 pub use self::run::{Error, Mechanism, Run};
 pub use self::running::OnRun;

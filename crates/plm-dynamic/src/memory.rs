@@ -67,6 +67,11 @@ impl<S: Scalar, const N: usize> Memory<S, N> {
         mapped
     }
 
+    /// All numbers, in the order of storage.
+    pub(crate) fn all(&self) -> Vec<S> {
+        (0..self.len()).map(|index| self.number(index)).collect()
+    }
+
     /// How many numbers it has.
     fn len(&self) -> usize {
         let Counts { coordinates, angles, determinants, iterated } = self.counts;

@@ -14,6 +14,7 @@ use plm_runtime::{BodyState, Fault, Stats};
 use crate::column::Column;
 use crate::handle::Dynamic;
 use crate::native::Translator;
+use crate::numbers::Numbers;
 use crate::record::{Sample, Seeing, Watch};
 use crate::running::{Counted, CountedContacts, Noticed, OnRun, Record, Running, SetInput, StepTo};
 use crate::sizes::{Given, Models};
@@ -148,7 +149,8 @@ impl Mechanism {
         Ok(Self { models, given })
     }
 
-    pub(crate) fn lowered(&self) -> &'static Lowered {
+    /// Its tables and routines.
+    pub fn lowered(&self) -> &'static Lowered {
         self.models.smallest().lowered
     }
 
@@ -254,6 +256,11 @@ impl fmt::Debug for Run {
 }
 
 impl Run {
+    /// All its numbers at the present moment.
+    pub fn numbers(&self) -> Numbers {
+        self.sim.numbers()
+    }
+
     /// The time, s.
     pub fn time(&self) -> f64 {
         self.sim.time()

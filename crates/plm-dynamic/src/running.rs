@@ -7,6 +7,7 @@ use plm_runtime::held::Discrete;
 use plm_runtime::sim::Notice;
 use plm_runtime::{BodyState, Described, Dop853, Fault, Linear, Method, Moment, Rk4, Sim, Statics, Stats};
 
+use crate::numbers::Numbers;
 use crate::record::{Watch, record};
 use crate::sizes::{Large, PlainSmall, PlainTiny, PlainTinyStates, Small, Tiny};
 
@@ -100,6 +101,11 @@ impl Running {
     /// Pose and velocity of a body by its number.
     pub(crate) fn body(&self, number: usize) -> Option<BodyState<f64>> {
         at_state!(self, state => state.body(number))
+    }
+
+    /// All its numbers.
+    pub(crate) fn numbers(&self) -> Numbers {
+        at_state!(self, state => state.numbers())
     }
 
     /// An output by its number, SI; not a number after the last one.

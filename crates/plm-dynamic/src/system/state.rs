@@ -1,5 +1,6 @@
 //! A mechanism at one moment.
 
+use plm_runtime::step::{Remainder, Stepped};
 use plm_runtime::{BodyState, Health, InPlace, Moment, Real, absolute, charts, turns};
 
 use crate::capacity::{PARAMETERS, ROWS, SWITCHES};
@@ -22,6 +23,7 @@ pub struct State<
     held: Held<S, NQ, L, H, R>,
     time: S,
     x: [S; N],
+    left_out: Remainder<S>,
 }
 
 impl<
@@ -38,7 +40,7 @@ impl<
     type M = Dynamic<S, NQ, NC, N, L, H, R, P>;
 
     fn new(mechanism: Self::M, held: Held<S, NQ, L, H, R>, time: S, x: [S; N]) -> Self {
-        State { mechanism, held, time, x }
+        State { mechanism, held, time, x, left_out: Remainder::none() }
     }
 
     fn mechanism(&self) -> &Self::M {
@@ -58,12 +60,29 @@ impl<
     }
 
     fn set(&mut self, time: S, held: &Held<S, NQ, L, H, R>, x: &[S; N]) {
-        (self.time, self.held, self.x) = (time, *held, *x);
+        (self.time, self.held, self.x, self.left_out) = (time, *held, *x, Remainder::none());
     }
 
     fn in_place(&mut self) -> InPlace<'_, Self::M> {
-        let Self { mechanism, held, time, x } = self;
-        InPlace { system: mechanism, held, time, x }
+        self.left_out = Remainder::none();
+        self.stepped().0
+    }
+}
+
+impl<
+    S: Real,
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+    const P: usize,
+> Stepped for State<S, NQ, NC, N, L, H, R, P>
+{
+    fn stepped(&mut self) -> (InPlace<'_, Self::M>, &mut Remainder<S>) {
+        let Self { mechanism, held, time, x, left_out } = self;
+        (InPlace { system: mechanism, held, time, x }, left_out)
     }
 }
 
