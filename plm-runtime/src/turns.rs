@@ -48,6 +48,13 @@ pub(crate) fn due<S: Real>(angle: S) -> i32 {
     if S::of_turns(whole) > turns { whole - 1 } else { whole }
 }
 
+/// The numbers by which angles are reduced, for code that does it without this crate: the absolute value above which an angle is reduced, and
+/// that above which it is not any more; the inverse of a revolution; the revolution in a scalar type, and what that lacks.
+pub fn constants<S: Real>() -> [S; 5] {
+    let turn = S::lit(TAU);
+    [S::lit(FARTHEST), S::lit(MOST), S::lit(1.0 / TAU), turn, S::lit(TAU - turn.to_f64() + TAU_LOW)]
+}
+
 /// Is an angle so near to zero that it is not reduced?
 #[inline]
 pub fn is_near<S: Real>(angle: S) -> bool {

@@ -22,10 +22,11 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 }
 
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
-const PLACES: [Place; 20] = [
+const PLACES: [Place; 21] = [
     place("plm-planar", "plm, the users' crate", 480, 0),
     place("plm-cli", "the command line", 274, 0),
     place("plm-jit", "machine code", 334, 1),
+    place("plm-source", "C99", 174, 1),
     place("plm-macros", "the macros", 84, 2),
     place("plm-dynamic", "mechanisms from text", 384, 2),
     place("plm-import", "files of others", 234, 2),

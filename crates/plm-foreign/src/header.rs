@@ -90,9 +90,12 @@ impl fmt::Display for Methods<'_> {
     }
 }
 
-/// Common part of the headers of all mechanisms. Later additions have guards of their own, so that headers of two versions
+/// Common part of the headers of all mechanisms: statuses, kinds, methods, modes. Later additions have guards of their own, so that headers of two versions
 /// fit into one file.
-fn common(to: &mut impl Write) -> fmt::Result {
+///
+/// # Errors
+/// Those of the writer.
+pub fn common(to: &mut impl Write) -> fmt::Result {
     writeln!(
         to,
         "#ifndef PLM_STATUS\n#define PLM_STATUS\n/* What functions return; 0 is good. */\nenum plm_status {{"

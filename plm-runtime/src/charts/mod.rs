@@ -10,12 +10,14 @@
 //! Loops without a closed form are solved by Newton's iteration from where their unknowns should be by the last accepted
 //! state, so that these are followed as well: values, rates, and how the rates change.
 
+mod constants;
 mod continuation;
 mod continuity;
 mod lanes;
 mod revolutions;
 mod words;
 
+pub use constants::Constants;
 pub use continuation::{Angle, Continuation, ContinuationData, Iterated, OfLoops, Reach};
 pub use continuity::not_regular;
 use continuity::{Looks, flattest};

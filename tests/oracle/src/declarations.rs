@@ -16,7 +16,7 @@ use crate::draw::Draw;
 use crate::sweep::{Case, Verdict};
 
 use self::reference::{Reference, Scene, TIMES, What, names, numbers};
-use self::texts::scenes;
+pub(crate) use self::texts::scenes;
 
 /// A method by its name, and by its tolerance or its longest step.
 type Named = (&'static str, fn(f64) -> Integrator);

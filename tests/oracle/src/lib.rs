@@ -19,6 +19,7 @@ mod pages;
 #[path = "../../support/random.rs"]
 mod random;
 mod resets;
+mod sources;
 mod sweep;
 mod texts;
 mod turned;

@@ -7,7 +7,9 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::draw::Draw;
-use crate::{bounded, bounds, declarations, driven, geared, gradients, hostile, late, pages, resets, wheels};
+use crate::{
+    bounded, bounds, declarations, driven, geared, gradients, hostile, late, pages, resets, sources, wheels,
+};
 
 /// All sweeps.
 pub const SWEEPS: &[Sweep] = &[
@@ -56,6 +58,12 @@ pub const SWEEPS: &[Sweep] = &[
         title: "all that the book, examples and benchmarks declare, by every method",
         quick: 8,
         case: declarations::case,
+    },
+    Sweep {
+        name: "sources",
+        title: "the same declarations as C source, beside steps from text",
+        quick: 60,
+        case: sources::case,
     },
 ];
 

@@ -1,5 +1,5 @@
-//! `plm export`: a declaration as a project, from which cargo makes a program, C, an FMU or a wheel, as a file of MuJoCo or ROS, or
-//! as a link to the playground.
+//! `plm export`: a declaration as a project, from which cargo makes a program, C, an FMU or a wheel, as C source, as a file of MuJoCo or
+//! ROS, or as a link to the playground.
 
 use std::fs;
 use std::io::ErrorKind;
@@ -9,7 +9,9 @@ use std::process::Command as Process;
 use plm_compiler::span::Span;
 use plm_compiler::token::Sources;
 use plm_compiler::{Assembled, Oracle};
+use plm_dynamic::Mechanism;
 use plm_import::{Exported, Place, PlaceOf};
+use plm_source::Precision;
 use plm_view::replace_file;
 
 use super::words::Words;
@@ -21,12 +23,14 @@ use crate::read;
 pub(super) const COMMAND: Command = Command {
     name: "export",
     usage: "FILE --rust FOLDER …",
-    title: "writes a project that makes a program, C, an FMU or a wheel of a declaration, its MJCF or URDF, or a link",
+    title: "writes a project that makes a program, C, an FMU or a wheel of a declaration, its C source, MJCF or URDF, or a link",
     options: &[
         ("--rust FOLDER", "a Rust package whose program runs the mechanism"),
         ("--c FOLDER", "the same package, and how it makes a library for C and C++"),
         ("--fmu FOLDER", "the same package, and how it makes an FMU"),
         ("--python FOLDER", "the same package, and how it makes a wheel"),
+        ("--c-source FOLDER", "C99 of it, for compilers of any target: no Rust, no library"),
+        ("--single", "of --c-source: numbers of 32 bits"),
         ("--mjcf FILE", "a model of MuJoCo; `-` is the standard output"),
         ("--urdf FILE", "a robot of ROS; `-` is the standard output"),
         ("--link ADDRESS", "a link that opens it in the playground at this address, on the standard output"),
@@ -66,6 +70,7 @@ const FORMATS: [(&str, Format); 2] = [("--mjcf", plm_import::to_mjcf), ("--urdf"
 /// A product, and where it is written.
 enum Wanted {
     Package(&'static Product, PathBuf),
+    Source(PathBuf, Precision),
     File(Format, String),
     Link(String),
 }
@@ -89,10 +94,13 @@ impl Asked {
         for (option, format) in FORMATS {
             wanted.extend(words.value(option).map(|file| Wanted::File(format, file)));
         }
+        let precision = if words.takes("--single") { Precision::Single } else { Precision::Double };
+        wanted.extend(words.value("--c-source").map(|folder| Wanted::Source(folder.into(), precision)));
         wanted.extend(words.value("--link").map(Wanted::Link));
         let (Some(wanted), true) = (wanted.pop(), wanted.is_empty()) else {
             return Err(
-                "an export makes one of --rust, --c, --fmu, --python, --mjcf, --urdf and --link".into()
+                "an export makes one of --rust, --c, --c-source, --fmu, --python, --mjcf, --urdf and --link"
+                    .into(),
             );
         };
         let plm = match words.value("--plm") {
@@ -139,6 +147,14 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
                 writeln!(streams.output, "{command}")?;
             }
             if asked.builds { build(folder, &commands, streams) } else { Ok(Outcome::Good) }
+        }
+        Wanted::Source(folder, precision) => {
+            let mechanism =
+                Mechanism::from_named_text(&file.name, &text).map_err(|error| error.to_string())?;
+            let files = plm_source::c(&mechanism, *precision).map_err(|failure| failure.to_string())?;
+            let files = files.iter().map(|made| (folder.join(&made.name), made.text.as_str()));
+            write(&files.collect::<Vec<_>>(), asked.overwrites, streams)?;
+            Ok(Outcome::Good)
         }
         Wanted::File(format, path) => {
             let assembled = expansion.oracle.as_ref().map(Oracle::assembled);

@@ -81,6 +81,27 @@ fn a_declaration_of_rust_source_is_named_and_has_its_parts() {
 }
 
 #[test]
+fn a_c_source_is_three_files_and_what_it_has_not_is_named() {
+    let folder = declared();
+    for (words, real) in
+        [(["--c-source", "c"].as_slice(), "double"), (&["--c-source", "c32", "--single"], "float")]
+    {
+        let said = export(&folder, &[&["bar.plm"], words].concat());
+        let written =
+            ["two_bars.h", "two_bars.c", "plm_math.h"].map(|file| format!("written: {}/{file}\n", words[1]));
+        assert_eq!(said, Said { code: 0, output: written.concat(), errors: String::new() });
+        let header = fs::read_to_string(folder.join(words[1]).join("two_bars.h")).unwrap();
+        assert!(header.contains(&format!("int two_bars_step(two_bars *self, {real} h);")), "{header}");
+    }
+    let rubbing = BAR
+        .replace("bar.pin);", "bar.pin) { friction: 1 N*m; }")
+        .replace("contour: \"bar.csv\";", "contour: circle(10 cm);");
+    fs::write(folder.join("rubs.plm"), rubbing).unwrap();
+    let said = export(&folder, &["rubs.plm", "--c-source", "none"]);
+    assert!(said.code != 0 && said.errors.contains("`pin") && !folder.join("none").exists(), "{said:?}");
+}
+
+#[test]
 fn what_cannot_be_exported_is_told_and_nothing_is_written() {
     let folder = declared();
     let refused = |text: &str, words: &[&str]| {

@@ -19,11 +19,11 @@ const FINEST: f64 = 1e-12;
 const OTHERS: [f64; 3] = [1e-5, 1e-7, 1e-9];
 
 /// A declaration of the repository.
-pub(super) struct Scene {
+pub(crate) struct Scene {
     file: PathBuf,
-    pub(super) place: String,
+    pub(crate) place: String,
     /// As it is written, and in absolute coordinates where it asks for no formulation.
-    pub(super) texts: Vec<String>,
+    pub(crate) texts: Vec<String>,
     machines: [OnceLock<Result<Mechanism, Error>>; 2],
     reference: OnceLock<Result<Reference, Error>>,
 }
@@ -65,7 +65,7 @@ impl Scene {
     }
 
     /// The mechanism in one of its formulations.
-    pub(super) fn machine(&self, formulation: usize) -> Result<&Mechanism, Error> {
+    pub(crate) fn machine(&self, formulation: usize) -> Result<&Mechanism, Error> {
         let name = self.file.display().to_string();
         let compiled = || Mechanism::from_named_text(&name, &self.texts[formulation]);
         self.machines[formulation].get_or_init(compiled).as_ref().map_err(Clone::clone)

@@ -14,7 +14,7 @@ const FOLDERS: [&str; 4] =
     ["examples", "benches", "crates/plm-optimise/examples", "crates/plm-program/examples"];
 
 /// All of them, those that ask for no formulation twice.
-pub(super) fn scenes() -> &'static [Scene] {
+pub(crate) fn scenes() -> &'static [Scene] {
     static SCENES: OnceLock<Vec<Scene>> = OnceLock::new();
     SCENES.get_or_init(|| {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
