@@ -1,7 +1,7 @@
 //! The end states that errors are measured against: `benches/data/references.csv`, which names their sources.
 
 /// The table as it stands in the repository.
-const TABLE: &str = include_str!("../../benches/data/references.csv");
+const TABLE: &str = include_str!("../../../../../benches/data/references.csv");
 
 /// Names and values of a scene, in the order of the table.
 pub fn of(scene: &str) -> Vec<(&'static str, f64)> {

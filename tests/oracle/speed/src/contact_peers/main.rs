@@ -1,10 +1,10 @@
 //! Contact beside other programs: gathers what their programs have written, and draws the book's picture and tables of it.
 //!
 //! ```sh
-//! cargo run --example contact_peers -- docs/src/images/contact-peers                           # of the stored runs
-//! cargo run --example contact_peers -- docs/src/images/contact-peers target/plm/contact-*.csv  # of new ones
-//! cargo run --example contact_peers -- --steps docs/src/images/contact-steps                           # of MoreauJean by its step
-//! cargo run --example contact_peers -- --steps docs/src/images/contact-steps target/plm/contact-steps.csv
+//! cargo run -p plm-speed --bin contact_peers -- docs/src/images/contact-peers                           # of the stored runs
+//! cargo run -p plm-speed --bin contact_peers -- docs/src/images/contact-peers target/plm/contact-*.csv  # of new ones
+//! cargo run -p plm-speed --bin contact_peers -- --steps docs/src/images/contact-steps                           # of MoreauJean by its step
+//! cargo run -p plm-speed --bin contact_peers -- --steps docs/src/images/contact-steps target/plm/contact-steps.csv
 //! ```
 //!
 //! The page `docs/src/running/contact-peers.md` names the programs that measure.
@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let runs = runs::read(&fs::read_to_string(stored)?)?;
     if by_step {
-        let peers = runs::read(include_str!("../../docs/src/images/contact-peers/runs.csv"))?;
+        let peers = runs::read(include_str!("../../../../../docs/src/images/contact-peers/runs.csv"))?;
         fs::write(folder.join("chart.svg"), steps::svg(&runs, &peers))?;
         fs::write(folder.join("tables.txt"), steps::tables(&runs))?;
         return Ok(());

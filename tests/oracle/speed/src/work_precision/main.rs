@@ -1,11 +1,11 @@
 //! Accuracy against speed: every benchmark scene in every formulation with every method, against its reference.
 //!
 //! ```sh
-//! cargo run --release --example work_precision                            # plm alone
-//! cargo run --release --example work_precision --features plm-peers/peers # beside diffsol and rapier2d
-//! cargo run --release --example work_precision -- --beside heyoka.csv     # beside a program that wrote a file
-//! cargo run --release --example work_precision -- --quick --out DIR       # few settings, written to DIR
-//! cargo run --example work_precision -- --redraw docs/src/images/work-precision   # the book's pictures, of the stored runs
+//! cargo run --release -p plm-speed --bin work_precision                            # plm alone
+//! cargo run --release -p plm-speed --bin work_precision --features peers           # beside diffsol and rapier2d
+//! cargo run --release -p plm-speed --bin work_precision -- --beside heyoka.csv     # beside a program that wrote a file
+//! cargo run --release -p plm-speed --bin work_precision -- --quick --out DIR       # few settings, written to DIR
+//! cargo run -p plm-speed --bin work_precision -- --redraw docs/src/images/work-precision   # the book's pictures, of the stored runs
 //! ```
 //!
 //! It prints, for each scene, the least time and its evaluations of the right-hand side to some errors, and writes to
@@ -16,7 +16,7 @@
 //! allocation come before. Look at ratios rather than times, and at evaluations, which are the same on every machine.
 //! The program fails if a line does not come near its reference.
 #![allow(missing_docs, reason = "the macros of the scenes declare public modules")]
-#![allow(unreachable_pub, reason = "the modules are private to an example")]
+#![allow(unreachable_pub, reason = "the modules are private to a program")]
 
 mod arms;
 mod beside;
@@ -34,8 +34,8 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use plm::view::{Arguments, Known};
 use plm_peers::{Peer, peers};
+use plm_program::{Arguments, Known};
 
 use beside::Beside;
 use list::SCENES;

@@ -3,7 +3,7 @@
 //!
 //! SI units; uniform bars have J = m L^2 / 12. The outputs are what is measured, in the order of the references.
 
-#[path = "../../tests/support/scenes.rs"]
+#[path = "../../../../support/scenes.rs"]
 mod shared;
 
 use shared::{andrews, double_pendulum, four_bar, slider_crank};
