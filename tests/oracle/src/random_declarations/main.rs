@@ -1,29 +1,27 @@
 //! Random declarations, compiled by rustc and run from their text: the bits are the same, by steps and by machine code.
 //!
 //! ```console
-//! cargo run --release --example random_declarations -- 200             # so many
-//! cargo run --release --example random_declarations -- 200 --seed 7    # others
-//! cargo run --release --example random_declarations -- --print 123     # the text of one
+//! cargo run --release -p plm-oracle --bin random_declarations -- 200             # so many
+//! cargo run --release -p plm-oracle --bin random_declarations -- 200 --seed 7    # others
+//! cargo run --release -p plm-oracle --bin random_declarations -- --print 123     # the text of one
 //! ```
 //!
 //! Trees and loops of one to five bodies, with springs, dampers, drives, frictions, parameters, inputs, tables, conditions, events, states
 //! and contact, at decimal places. A package in `target/random-declarations` has a program for each fifty of them. They run half a second
 //! by Dop853, by Rk4 and by MoreauJean in turn. Declarations that the compiler refuses are counted, and so are runs that end with a fault
 //! or do not begin: both ways have the same one. The program fails where bits, counts of steps or faults differ.
-#![allow(missing_docs, reason = "the modules are private to an example")]
-#![allow(unreachable_pub, reason = "the modules are private to an example")]
+#![allow(missing_docs, reason = "the modules are private to a program")]
+#![allow(unreachable_pub, reason = "the modules are private to a program")]
 
 mod draw;
 mod package;
-#[path = "../../tests/support/random.rs"]
-mod random;
 
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::process::ExitCode;
 
-use plm::dynamic::Mechanism;
-use plm::view::{Arguments, Known};
+use plm_dynamic::Mechanism;
+use plm_program::{Arguments, Known};
 
 const KNOWN: [Known; 3] = [
     Known::word("COUNT", "how many; 100 if nothing is said"),

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use plm::dynamic::{Error, Integrator, Mechanism};
+use plm_dynamic::{Error, Integrator, Mechanism};
 
 use super::chains::Point;
 

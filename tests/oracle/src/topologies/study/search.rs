@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use plm::batch;
-use plm::dynamic::{Error, Refused};
+use plm_dynamic::{Error, Refused};
+use plm_study::batch;
 
 use super::chains::{Point, SixBar};
 use super::straight::{Portion, longest};

@@ -1,10 +1,11 @@
-//! The study of random six-bars in examples/topologies, some of them.
+//! The study of random six-bars, some of them.
+#![allow(clippy::unwrap_used, unreachable_pub, reason = "tests")]
 
 #[allow(dead_code, reason = "the program prints more")]
-#[path = "../../examples/topologies/study/mod.rs"]
+#[path = "../src/topologies/study/mod.rs"]
 mod study;
 
-use plm::dynamic::Mechanism;
+use plm_dynamic::Mechanism;
 
 use self::study::chains::SixBar;
 use self::study::search::{Outcome, STRAIGHT, outcome, search};

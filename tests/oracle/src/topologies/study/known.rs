@@ -1,6 +1,6 @@
 //! Two linkages whose straight lines are known in closed form, rated as the six-bars are.
 
-use plm::dynamic::Error;
+use plm_dynamic::Error;
 
 use super::chains::Point;
 use super::straight::{Portion, portion_of};

@@ -1,22 +1,22 @@
 //! Thousands of random six-bars, as texts that are compiled while the program runs: which draws the longest straight line?
 //!
 //! ```console
-//! cargo run --release --example topologies -- 4000             # so many
-//! cargo run --release --example topologies -- 4000 --seed 7    # others
+//! cargo run --release -p plm-oracle --bin topologies -- 4000             # so many
+//! cargo run --release -p plm-oracle --bin topologies -- 4000 --seed 7    # others
 //! ```
 //!
 //! Watt's and Stephenson's chains are fixed at each kind of link, their joints lie at random places. A crank makes a turn; joints of
 //! couplers, and points by chance on them, are traced. Straight is what deviates from a line by a thousandth of its length at most. The
 //! program prints the best as a declaration, and fails where it rates linkages of known straightness wrongly.
-#![allow(missing_docs, reason = "the modules are private to an example")]
-#![allow(unreachable_pub, reason = "the modules are private to an example")]
+#![allow(missing_docs, reason = "the modules are private to a program")]
+#![allow(unreachable_pub, reason = "the modules are private to a program")]
 
 mod study;
 
 use std::error::Error;
 use std::process::ExitCode;
 
-use plm::view::{Arguments, Known};
+use plm_program::{Arguments, Known};
 
 use study::chains::SixBar;
 use study::search::{Outcome, Search, search};

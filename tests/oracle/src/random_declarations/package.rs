@@ -11,7 +11,8 @@ const PER_PROGRAM: usize = 50;
 /// s.
 const TIME: f64 = 0.5;
 
-const PLM: &str = env!("CARGO_MANIFEST_DIR");
+/// The root of the workspace.
+const PLM: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// Counts of runs: compared, and of these ended with a fault, not begun, different.
 pub type Found = [u64; 4];

@@ -2,10 +2,7 @@
 
 use std::fmt::Write;
 
-#[path = "../../../tests/support/random.rs"]
-mod stream;
-
-use stream::Random;
+use plm_oracle::Random;
 
 /// A six-bar mechanism: a chain whose link `ground` is fixed. Links 0 and 1 have three joints, the others two.
 #[derive(Debug)]

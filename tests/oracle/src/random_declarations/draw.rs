@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::random::Random;
+use plm_oracle::Random;
 
 /// A body, or the ground: its place, and its ports so far.
 struct Body {
