@@ -26,4 +26,4 @@ mod wheels;
 
 pub use random::Random;
 pub use sweep::{SWEEPS, Sweep, Table};
-pub use texts::{Look, Text, with_numbers};
+pub use texts::{Look, Text, mechanism, with_numbers};
