@@ -10,7 +10,7 @@
 //! * `arm`: nanoseconds of a linearly implicit step of 1 ms, of the arm on a hydraulic jack that runs in real time.
 //! * `radau`: a run of 4 s of the manual's arms, beside one of `Dop853`, and what the parts cost at its end.
 
-#[path = "../examples/work_precision/arms.rs"]
+#[path = "../tests/oracle/speed/src/work_precision/arms.rs"]
 #[allow(dead_code, unreachable_pub)] // The example uses more of it.
 mod arms;
 #[path = "scenes/chain.rs"]

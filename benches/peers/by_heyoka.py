@@ -2,7 +2,7 @@
 
     python3 -m venv target/tools/heyoka && target/tools/heyoka/bin/pip install heyoka==7.13.2
     target/tools/heyoka/bin/python benches/peers/by_heyoka.py target/plm/heyoka.csv
-    cargo run --release --example work_precision -- --beside target/plm/heyoka.csv
+    cargo run --release -p plm-speed --bin work_precision -- --beside target/plm/heyoka.csv
 
 Rows: scene, method, tolerance, error at the end, time in s, steps. Compilation comes before; what it takes to be called
 from Python is measured by a call that has nothing to do, and taken off.

@@ -2,7 +2,6 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, unreachable_pub, reason = "tests")]
 
 mod study;
-mod topologies;
 
 use plm::batch::{self, Failure};
 use plm::{Cause, Fault};

@@ -105,7 +105,7 @@ const MORE: &[Step] = &[
         place.command("cargo run --release --example gradients -- 300").run()
     })),
     Step::Here(plain("random-declarations", "bits of random declarations", |place| {
-        place.command("cargo run --example random_declarations -- 100").run()
+        place.command("cargo run -p plm-oracle --bin random_declarations -- 100").run()
     })),
     Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
     Step::Here(plain("exports", "programs, C, FMU and wheel that are exported", |place| {

@@ -1,4 +1,4 @@
-//! Other simulators on the scenes of the charts of accuracy against speed (`examples/work_precision`).
+//! Other simulators on the scenes of the charts of accuracy against speed (`tests/oracle/speed`).
 //!
 //! With the feature `peers`: diffsol on equations of motion in minimal coordinates, which are written by hand, and rapier2d
 //! with impulse joints. Without it the list is empty, and nothing of theirs is compiled.

@@ -272,7 +272,8 @@ impl<
     }
 
     /// The mechanism with numbers of another type.
-    pub(crate) fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L, H, R, P> {
+    #[doc(hidden)]
+    pub fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L, H, R, P> {
         Dynamic {
             model: self.model,
             parameters: self.parameters.map(number),

@@ -66,7 +66,7 @@ impl Known {
 /// Every program knows it.
 const HELP: Known = Known::flag("help", "these lines");
 
-/// Arguments of a command line by a table of options; for programs without a mechanism to be run, as `examples/stability`.
+/// Arguments of a command line by a table of options; for programs without a mechanism to be run, as `tests/oracle/stability`.
 /// [`Options`](super::Options) are the usual ones of a run, and take further ones.
 ///
 /// ```

@@ -27,4 +27,4 @@ mod wheels;
 
 pub use random::Random;
 pub use sweep::{SWEEPS, Sweep, Table};
-pub use texts::{Look, Text, with_numbers};
+pub use texts::{Look, Text, mechanism, with_numbers};

@@ -20,7 +20,9 @@ pub trait Look: Mechanism {
     fn energies(state: &Self::State) -> [Self::S; 2];
 }
 
-impl<const NQ: usize, const NC: usize, const N: usize, const P: usize> Look for Text<NQ, NC, N, P> {
+impl<const NQ: usize, const NC: usize, const N: usize, const L: usize, const P: usize> Look
+    for Dynamic<f64, NQ, NC, N, L, 64, 12, P>
+{
     fn bodies(state: &Self::State, mut each: impl FnMut(BodyState<f64>)) {
         Self::poses(state, &mut each);
     }
@@ -34,20 +36,24 @@ impl<const NQ: usize, const NC: usize, const N: usize, const P: usize> Look for 
 const TRANSLATED_AFTER: u32 = 20;
 
 /// Mechanisms by their sizes and declarations.
-type Known = BTreeMap<(TypeId, &'static str), Box<dyn Any + Send>>;
+type Known = BTreeMap<(TypeId, String), Box<dyn Any + Send>>;
 
-/// The mechanism of a declaration.
-fn mechanism<const NQ: usize, const NC: usize, const N: usize, const P: usize>(
-    declaration: &'static str,
-) -> Result<Text<NQ, NC, N, P>, String> {
+/// The mechanism of a declaration, with its defaults; its loops remember at most `L` numbers of each kind.
+///
+/// # Errors
+/// A mistake in the declaration, with its place; what there is no room for; a processor without machine code.
+pub fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize, const P: usize>(
+    declaration: &str,
+) -> Result<Dynamic<f64, NQ, NC, N, L, 64, 12, P>, String> {
     static KNOWN: OnceLock<Mutex<Known>> = OnceLock::new();
     let mut known = KNOWN.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
-    let key = (TypeId::of::<Text<NQ, NC, N, P>>(), declaration);
+    let key = (TypeId::of::<Dynamic<f64, NQ, NC, N, L, 64, 12, P>>(), declaration.to_owned());
     if let Some(known) = known.get(&key).and_then(|known| known.downcast_ref()) {
         return Ok(*known);
     }
     let compiled = Compiled::new("case.plm", declaration).map_err(|refused| refused.to_string())?;
-    let text: Text<NQ, NC, N, P> = compiled.mechanism().map_err(|refused| refused.to_string())?;
+    let text: Dynamic<f64, NQ, NC, N, L, 64, 12, P> =
+        compiled.mechanism().map_err(|refused| refused.to_string())?;
     let host = Host::new().ok_or("no machine code for this processor")?;
     text.translate_by(Arc::new(host.after(TRANSLATED_AFTER)));
     known.insert(key, Box::new(text));

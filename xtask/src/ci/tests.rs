@@ -30,7 +30,7 @@ pub(super) fn all(ci: &mut Ci, place: &Place) -> Result {
     ci.begin("robust", 0, move |place| {
         place.command("").arg(robust).in_folder("plm-macros/compiler").args(["--exact", DISTURBED]).run()
     })?;
-    ci.begin("precision", 0, |place| built_example(place, "work_precision").arg("--quick").run())?;
+    ci.begin("precision", 0, |place| built(place, "work_precision").arg("--quick").run())?;
     place.command("cargo check --bench * --workspace --features").arg(FEATURES).run()?;
     print!("{}", ci.join("tools")?);
     let mut path = place.target.join("clang").into_os_string();
@@ -58,15 +58,10 @@ fn executable(messages: &str, test: &str) -> Option<String> {
 /// other features of its dependencies, and build all of it again.
 pub(super) fn example<'a>(place: &'a Place, name: &str) -> Result<Task<'a>> {
     place.command("cargo build --workspace --features").arg(FEATURES).args(["--example", name]).run()?;
-    Ok(built_example(place, name))
+    Ok(built(place, &format!("examples/{name}")))
 }
 
-/// The program of an example, which hears nothing of the lints.
-pub(super) fn built_example<'a>(place: &'a Place, name: &str) -> Task<'a> {
-    built(place, &format!("examples/{name}"))
-}
-
-/// A program of the workspace, as the tests have built it.
+/// A program of the workspace, as the tests have built it; it hears nothing of the lints.
 pub(super) fn built<'a>(place: &'a Place, program: &str) -> Task<'a> {
     place.command("env -u RUSTC_WORKSPACE_WRAPPER").arg(place.target.join("debug").join(program))
 }

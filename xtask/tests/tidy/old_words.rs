@@ -43,7 +43,7 @@ pub(crate) const OLD_WORDS: [(&str, &str, &str); 64] = [
     ("plm-macros/compiler/src/check/", "rung", "formulation"),
     ("plm-macros/compiler/src/resolve/", "rung", "formulation"),
     ("tests/formulations/", "rung", "formulation"),
-    ("examples/work_precision/", "rung", "formulation"),
+    ("tests/oracle/speed/src/", "rung", "formulation"),
     ("plm-macros/compiler/src/formulate/", "class", "orientation"),
     ("plm-macros/compiler/src/formulate/", "heading", "absolute angle"),
     ("plm-macros/compiler/src/formulate/", "slide", "displacement"),

@@ -1,4 +1,4 @@
-//! Declarations of the repository that people read: of the book, of parts, of examples, of benchmarks.
+//! Declarations of the repository that people read: of the book, of parts, of examples, of benchmarks; and where methods fail.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -12,6 +12,8 @@ use super::reference::Scene;
 /// Folders of Rust files for readers, some of which have a `mechanism!`.
 const FOLDERS: [&str; 4] =
     ["examples", "benches", "crates/plm-optimise/examples", "crates/plm-program/examples"];
+/// A folder of declarations.
+const STABILITY: &str = "tests/oracle/stability/declared";
 
 /// All of them, those that ask for no formulation twice.
 pub(crate) fn scenes() -> &'static [Scene] {
@@ -35,6 +37,10 @@ pub(crate) fn scenes() -> &'static [Scene] {
                     found.add(&file, text);
                 }
             }
+        }
+        for file in files(&found.root.join(STABILITY), "plm") {
+            let text = fs::read_to_string(&file).unwrap_or_default();
+            found.add(&file, text);
         }
         found.scenes
     })
