@@ -3,7 +3,7 @@
 
 use super::history::Reached;
 use super::relevant::bit;
-use super::rounding::{ULPS, rounding};
+use super::rounding::rounding;
 use super::violated::not_met;
 use super::{guards, guards_here};
 use crate::enclosure::{Enclosed, Interval};
@@ -11,15 +11,8 @@ use crate::fault::Fault;
 use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
+use crate::tolerances::{END_MOVED, FAR_FROM_ZERO, REPEATED_STEPS, STATE_ROUNDED};
 use crate::vector::Vector;
-
-/// A guard that is farther from zero than so many of its roundings is not zero, whatever its rate.
-const FAR: f64 = 1e6;
-/// Most repetitions of a step that has to end where a requirement is no longer satisfied.
-const MOST_AGAIN: u32 = 4;
-
-/// Largest change of the end of a step, as a fraction of the step.
-const MOVED: f64 = 1e-3;
 
 /// Conditions whose boundaries the state is on.
 #[derive(Clone, Copy, Debug, Default)]
@@ -46,13 +39,13 @@ pub(super) fn decide<M: System<S: Real>>(
     }
     let (time, x) = (context.time, context.x);
     let noise = rounding((context.system, &context.held), (time, time), &x, here);
-    let ulps = M::S::lit(ULPS) * M::S::EPSILON * time.abs();
+    let ulps = STATE_ROUNDED.of::<M::S>() * M::S::EPSILON * time.abs();
     let mut slopes = None;
     for i in (0..M::G::LEN).filter(|i| asked & bit(*i) != 0) {
         let size = here.at(i).abs();
         // The time of an event has rounding errors, in which the state may have gone on.
         let reach = |slope: M::S| noise.at(i) + ulps * slope.abs();
-        let far = size > M::S::lit(FAR) * noise.at(i);
+        let far = size > FAR_FROM_ZERO.of::<M::S>() * noise.at(i);
         if far || !noise.at(i).is_finite() {
             continue;
         }
@@ -108,7 +101,7 @@ pub(super) fn meet<M: System<S: Real>, I: Method<M>>(
     before: &Reached<M, I>,
     index: usize,
 ) -> Result<bool, Fault> {
-    for _ in 0..MOST_AGAIN {
+    for _ in 0..REPEATED_STEPS {
         let here = guards_here(context)?;
         let noise =
             rounding((context.system, &context.held), (context.time, context.time), &context.x, &here);
@@ -163,7 +156,7 @@ pub(super) fn refine<M: System<S: Real>>(
     };
     let ahead = -off / slopes.at(index);
     // False for NaN.
-    let is_near = ahead.abs() <= M::S::lit(MOVED) * (time - start);
+    let is_near = ahead.abs() <= END_MOVED.of::<M::S>() * (time - start);
     if !is_near {
         return Ok(Refined::Far);
     }

@@ -7,10 +7,8 @@ use crate::fault::{Cause, Fault};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
+use crate::tolerances::SOON;
 use crate::vector::Vector;
-
-/// Time, in s and as a part of the time, before a pole or the end of a domain within which a failed step is attributed to it.
-const SOON: f64 = 1e-6;
 
 /// Continues with the sides of `after`, unless constraint rows would have to jump.
 pub(crate) fn hold<M: System<S: Real>>(context: &mut Context<'_, M>, after: M::U) -> Result<(), Fault> {
@@ -43,7 +41,7 @@ fn end_ahead<M: System<S: Real>>(context: &mut Context<'_, M>) -> Option<Fault> 
     let ends = |i: &usize| context.system.end(*i).is_some() && context.system.matters(&context.held, *i, 0);
     let first = (0..M::G::LEN).find(ends)?;
     let (here, slopes) = (guards_here(context).ok()?, rates(context)?);
-    let soon = M::S::lit(SOON) * (M::S::lit(1.0) + context.time.abs());
+    let soon = SOON.of::<M::S>() * (M::S::lit(1.0) + context.time.abs());
     let due = |i: &usize| here.at(*i).abs() <= -soon * slopes.at(*i) && context.system.end(*i).is_some();
     let index = (first..M::G::LEN).find(due)?;
     required(context, index).err()

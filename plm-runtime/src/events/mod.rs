@@ -55,10 +55,8 @@ use crate::fault::Fault;
 use crate::method::{Context, Method};
 use crate::scalar::Real;
 use crate::system::System;
+use crate::tolerances::NO_STEP;
 use crate::vector::Vector;
-
-/// Longest step, in units in the last place of the time, that counts as none.
-const LEAST_ULPS: f64 = 32.0;
 
 /// The event at the end of a step.
 #[derive(Clone, Copy, Debug)]
@@ -188,7 +186,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         method.advance(context)?;
         self.guard_free.forget();
         // An event that would end a step so early that time hardly advances happens at once.
-        let least = S::lit(LEAST_ULPS) * S::EPSILON * start.abs().max(context.end.abs());
+        let least = NO_STEP.of::<S>() * S::EPSILON * start.abs().max(context.end.abs());
         let mut beyond_kinks = false;
         loop {
             let end = guards_here(context)?;

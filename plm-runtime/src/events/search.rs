@@ -5,7 +5,7 @@
 //! at a fraction of the step, [`FINEST`], that is shorter than any event that is guaranteed to be found. In short pieces a guard whose
 //! enclosure shows that it is smooth is judged by its values too (`piece`).
 
-use super::piece::{Depth, MANY, Piece, Verdict};
+use super::piece::{Depth, Piece, Verdict};
 use super::relevant::{Relevant, bit};
 use super::root::{Point, root};
 use super::rounding::rounding;
@@ -13,28 +13,14 @@ use crate::enclosure::{Enclosed, Interval};
 use crate::method::Path;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Question, System, value, values};
+use crate::tolerances::{
+    FAR_FROM_EDGE, FINEST, FINEST_OF_POINTS, LOCAL, MANY_PIECES, MOST_INTERVALS, MOST_UNDECIDED, ROUGHEST,
+    SEARCHED_LEAST, STRAIGHT, finest,
+};
 use crate::vector::Vector;
 
-/// Most halvings of a step: 2^-22 of it is a quarter of a millionth.
-const FINEST: u32 = 22;
-/// Halvings that are always made if a system cannot enclose its guards.
-const ROUGHEST: u32 = 2;
-/// Halvings after which nothing more is learnt without enclosures.
-const FINEST_OF_POINTS: u32 = 6;
-/// A parabola is accepted if its distance from the edge is at least so many times the variation of the guard, ...
-const FAR: f64 = 2.0;
-/// ... or if it bends by no more than this fraction of half of its change.
-const STRAIGHT: f64 = 0.25;
 /// Halvings up to which the guards at the ends of intervals are stored: they are the ends of shorter intervals too.
 const REMEMBERED: usize = 4;
-/// Most intervals of a step that are examined; the remainder is left for the next step.
-const MOST: u32 = 4000;
-/// Least part of a step that is accepted as searched: four times the part that intervals which all stay open cover.
-const LEAST: f64 = 0.002;
-/// Most pieces at which bisection ends without a decision on a guard; after more, the guard counts as undecided.
-const MOST_UNDECIDED: u32 = 1000;
-/// Halvings after which rounding is evaluated at the interval, and not at the beginning of the step.
-const LOCAL: u32 = 10;
 /// Result of a search in a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Found<S> {
@@ -165,7 +151,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             if level <= ROUGHEST {
                 resting = 0;
             }
-            let depth = Depth { level, resting, is_long: spent > MANY };
+            let depth = Depth { level, resting, is_long: spent > MANY_PIECES };
             let mut verdict = self.judge(&piece, depth);
             if level == ROUGHEST && matches!(verdict, Verdict::Open(_)) {
                 resting = self.resting(&piece);
@@ -177,10 +163,10 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
                 return Found::Crossing(i, theta);
             }
             if let Verdict::Open(guard) = verdict {
-                if spent > MOST && from > M::S::lit(LEAST) {
+                if spent > MOST_INTERVALS && from > SEARCHED_LEAST.of::<M::S>() {
                     return Found::Open(from);
                 }
-                let finest = if spent > MOST { FINEST_OF_POINTS } else { FINEST };
+                let finest = if spent > MOST_INTERVALS { FINEST_OF_POINTS } else { FINEST };
                 if level < finest {
                     (level, index, width) = (level + 1, 2 * index, half * width);
                     if level == LOCAL {
@@ -275,8 +261,8 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             let falls = lean + bend <= M::S::ZERO && lean - bend <= M::S::ZERO;
             let (finest, leaves) = (level >= FINEST_OF_POINTS, c < self.edge(i) - piece.noise.at(i));
             let varies = a.max(b).max(c) - a.min(b).min(c);
-            let is_far = low - self.edge(i) >= M::S::lit(FAR) * varies;
-            let is_told = is_far || bend.abs() <= M::S::lit(STRAIGHT) * lean.abs();
+            let is_far = low - self.edge(i) >= FAR_FROM_EDGE.of::<M::S>() * varies;
+            let is_told = is_far || bend.abs() <= STRAIGHT.of::<M::S>() * lean.abs();
             let slope = if falls && (is_told || finest || leaves) { -(a - c).abs() } else { M::S::INFINITY };
             let low = match (finest, is_told) {
                 (true, _) => a.min(c),
@@ -311,9 +297,4 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         }
         None
     }
-}
-
-/// Shortest interval, as a fraction of the step.
-fn finest<S: Real>() -> S {
-    (0..FINEST).fold(S::lit(1.0), |width, _| S::lit(0.5) * width)
 }

@@ -8,10 +8,8 @@ use crate::fault::{Cause, Fault};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
+use crate::tolerances::GAP_CLOSED;
 use crate::vector::Vector;
-
-/// Depth, as a fraction of the length of the mechanism, above which a negative gap is a penetration: events are located more accurately.
-const SUNK: f64 = 1e-9;
 
 /// Commits the events of all conditions whose guards are past their bands at the state `x`; returns their number.
 ///
@@ -84,7 +82,7 @@ fn has_sunk<M: System<S: Real>>(
     rows: usize,
 ) -> bool {
     let length = (0..system.coordinates()).fold(M::S::ZERO, |length, i| length.max(system.typical_at(i)));
-    let least = M::S::lit(SUNK) * length;
+    let least = GAP_CLOSED.of::<M::S>() * length;
     (rows..M::G::LEN).any(|i| here.at(i) < -least) || system.drift(t, u, x).phi > least
 }
 

@@ -21,6 +21,7 @@ use crate::fault::Fault;
 use crate::scalar::Real;
 use crate::stats::Stats;
 use crate::system::{Drift, System};
+use crate::tolerances;
 use crate::vector::Vector;
 
 /// A method with steps of equal length.
@@ -51,7 +52,7 @@ pub struct FixedStep<S, F> {
 impl<S: Real, F: Formula> FixedStep<S, F> {
     /// The method with steps of at most `longest_step`, in s, and a tolerated drift of 1e-10 (at least the resolution of the scalar).
     pub fn new(longest_step: S) -> Self {
-        let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
+        let tolerance = tolerances::drift();
         Self {
             longest_step,
             tolerance,

@@ -1,9 +1,9 @@
 //! Tolerances for loops in closed form: for the change of charts, and for the distance of a state from the last checked one.
 
-use super::ByPrecision;
+use super::tolerance::ByPrecision;
 use crate::scalar::{Real, Scalar};
 
-super::tolerances! {
+super::tolerance::tolerances! {
     /// A measure. Below it other charts are compared: rounding in accelerations, which grows with the third power of the inverse measure,
     /// is 37 units in the last place there.
     FLAT: f64 = 0.3;
