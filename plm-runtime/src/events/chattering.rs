@@ -1,6 +1,6 @@
 //! Chattering: conditions that switch repeatedly within a short window.
 
-use super::boundary::rates;
+use super::rates::rates;
 use super::relevant::bit;
 use super::rounding::rounding;
 use super::{guards, is_of_state};

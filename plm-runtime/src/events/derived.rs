@@ -6,8 +6,8 @@
 //! approximation of a periodic solution of a system of differential equations with discontinuous right-hand sides, Q. J. Mech. Appl. Math.
 //! 11, 1958).
 
-use super::boundary::rates_of_both;
 use super::guards;
+use super::rates::rates_of_both;
 use super::rounding::rounding;
 use crate::fault::{Cause, Fault};
 use crate::method::Context;

@@ -2,8 +2,8 @@
 //! guards are zero there and leave zero slowly, as the square of the time. The dense output of an implicit step has an error of its
 //! tolerance, and may go to the other side first. The rate at the beginning of the step is more accurate.
 
-use super::boundary::rates;
 use super::history::Reached;
+use super::rates::rates;
 use super::rounding::rounding;
 use super::thrown::is_of_state;
 use super::{Detector, guards};

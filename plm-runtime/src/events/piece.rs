@@ -2,7 +2,7 @@
 
 use super::quartic::{Curve, Near, VALUES, curve};
 use super::relevant::bit;
-use super::search::Search;
+use super::searched::{Piece, Search};
 use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
@@ -26,18 +26,6 @@ pub(super) struct Depth {
     pub(super) resting: u64,
     /// True if so many pieces of the step have been examined that values decide.
     pub(super) is_long: bool,
-}
-
-/// Ends of an interval, and the guards there.
-pub(super) struct Piece<S, G> {
-    pub(super) from: S,
-    pub(super) to: S,
-    pub(super) left: G,
-    pub(super) right: G,
-    /// True if the interval was bisected so often that rounding is evaluated here.
-    pub(super) is_local: bool,
-    /// Rounding errors of the guards.
-    pub(super) noise: G,
 }
 
 impl<M: System<S: Real>> Search<'_, M> {

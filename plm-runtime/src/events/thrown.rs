@@ -3,7 +3,7 @@
 //! The guard of such an event is zero there within rounding: its value does not tell the side to which it goes. The next step does not tell
 //! either, since it may be longer than the whole flight. The slope of the guard after the event does.
 
-use super::boundary::{rates, rates_of_both};
+use super::rates::{rates, rates_of_both};
 use super::rounding::rounding;
 use super::{guards, hold};
 use crate::contact;

@@ -2,6 +2,7 @@
 
 mod at_once;
 mod formula;
+mod step;
 mod whole;
 
 use core::marker::PhantomData;
@@ -9,7 +10,7 @@ use core::marker::PhantomData;
 pub(crate) use self::formula::looked_at;
 pub use self::formula::{Formula, Made};
 
-use self::formula::{evaluated, formula};
+use self::step::{evaluated, formula};
 use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due};
 use super::partition::Partition;

@@ -57,6 +57,12 @@ pub(crate) fn tight() -> f64 {
     BOX.get() * FLAT.get()
 }
 
+/// Square of a measure.
+#[inline]
+pub(crate) fn square<S: Scalar>(measure: f64) -> S {
+    S::lit(measure * measure)
+}
+
 /// Square of the measure above which a chart is good.
 #[inline]
 pub(crate) fn regular_chart<S: Real>() -> S {
