@@ -2,8 +2,7 @@
 //!
 //! Coordinates have none: their rates are the velocities, and both follow from the same accelerations.
 
-use super::MOST;
-use super::coefficients::Coefficients;
+use super::coefficients::{Coefficients, MOST};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;

@@ -1,7 +1,6 @@
 //! Order and length of the next step (Shampine and Gordon, chapter 7, and the program STEP).
 
-use super::MOST;
-use super::coefficients::{Coefficients, EQUAL_STEPS};
+use super::coefficients::{Coefficients, EQUAL_STEPS, MOST};
 use crate::scalar::Real;
 use crate::vector::Vector;
 

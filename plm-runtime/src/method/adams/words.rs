@@ -1,6 +1,7 @@
 //! Adams' formulas as words.
 
-use super::{Adams, MOST, Past};
+use super::coefficients::MOST;
+use super::{Adams, Past};
 use crate::scalar::Real;
 use crate::system::System;
 use crate::words::{InWords, Words};
