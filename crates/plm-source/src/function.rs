@@ -9,7 +9,7 @@ use crate::block::{Argument, Block, Value};
 use crate::plan::Plan;
 use crate::print::statements;
 
-/// What a function is given beside the mechanism, and what it writes.
+/// Arrays of a function beside the mechanism and the time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Signature {
     /// Arrays that it reads, with their lengths.

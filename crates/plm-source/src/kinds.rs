@@ -19,7 +19,7 @@ const KINDS: &str = include_str!("c/kinds.c.txt");
 
 /// Accelerations and multipliers of a tree.
 const REACTIONS: Signature = Signature { reads: &["x"], writes: &["a", "lambda"], returns: false };
-/// The same by the equations in absolute coordinates.
+/// Accelerations and multipliers by the equations in absolute coordinates.
 const SOLVED: Signature = Signature { reads: &["full"], writes: &["a", "lambda"], returns: true };
 const VALUES: Signature = Signature { reads: &["x", "q", "v"], writes: &["out"], returns: false };
 const SOLVED_VALUES: Signature =
@@ -138,7 +138,7 @@ fn common(plan: &Plan) -> Vec<(&'static str, String)> {
     all
 }
 
-/// What is read and set by kind and index, and the start.
+/// Functions of the start, and of numbers by kind and index.
 pub(crate) fn functions(plan: &Plan) -> String {
     let (mut texts, count) = (String::new(), CAUSES.len() + parts(plan).len());
     let all = CAUSES.iter().map(|cause| (*cause).to_owned()).chain(parts(plan));

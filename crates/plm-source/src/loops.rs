@@ -1,4 +1,4 @@
-//! What stands between steps: revolutions, intervals and charts of loops.
+//! Revolutions, intervals and charts of loops between steps.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! What a source is made of, and what it cannot be made of.
+//! A mechanism with the numbers of its source, and parts that no source has.
 
 use std::fmt;
 
@@ -17,7 +17,7 @@ use crate::c::C;
 pub struct Refused {
     /// The part, by its name in the declaration.
     pub part: String,
-    /// What would be needed for it.
+    /// The ability that is missing.
     pub what: &'static str,
 }
 
@@ -71,7 +71,7 @@ pub(crate) fn without_chart(lowered: &Lowered, start: &Numbers) -> Option<Refuse
 pub(crate) struct Plan<'a> {
     /// Its name in C: `double_pendulum`.
     pub(crate) name: String,
-    /// The same in capitals.
+    /// Its name in capitals.
     pub(crate) upper: String,
     pub(crate) lowered: &'a Lowered,
     pub(crate) tables: &'a Tables,

@@ -23,7 +23,7 @@ const REMEMBER_POSE: Signature = Signature { reads: &["q", "v"], writes: &["memo
 const FROM_POSE: Signature = Signature { reads: &["q", "v"], writes: &["x"], returns: false };
 const GUARDS: Signature = Signature { reads: &["x"], writes: &["g"], returns: false };
 
-/// What can end a step, in the order of the numbers that `NAME_text` knows.
+/// Causes that end a step, in the order of the numbers that `NAME_text` knows.
 pub(crate) const CAUSES: [&str; 6] = [
     "",
     "the length of a step is not positive, or less than the time can resolve",
