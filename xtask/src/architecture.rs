@@ -26,7 +26,7 @@ const PLACES: [Place; 21] = [
     place("plm-planar", "plm, the users' crate", 480, 0),
     place("plm-cli", "the command line", 274, 0),
     place("plm-jit", "machine code", 334, 1),
-    place("plm-source", "C99", 174, 1),
+    place("plm-source", "C99", 84, 1),
     place("plm-macros", "the macros", 84, 2),
     place("plm-dynamic", "mechanisms from text", 384, 2),
     place("plm-import", "files of others", 234, 2),
