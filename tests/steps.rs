@@ -295,3 +295,30 @@ fn a_loop_changes_its_chart_between_steps() {
     assert!(worst < 1e-4, "{worst:e}");
     assert!(state.mechanism.is_regular(&state.held()));
 }
+
+/// Steps of a mechanism from text by themselves have the bits of those that code was made for: in the first chart and in others, over whole
+/// revolutions, and where conditions of the state and of the time change.
+#[test]
+fn steps_from_text_have_the_bits_of_code() {
+    macro_rules! same {
+        ($mechanism:ident, $h:expr, $count:expr) => {{
+            let text =
+                plm::dynamic::Mechanism::from_text(<$mechanism as plm::Described>::DECLARATION).unwrap();
+            let (mut steps, mut state) = (text.steps().unwrap(), *$mechanism::new().start().unwrap().state());
+            for k in 0..$count {
+                let (own, text) = (state.step_rk4($h), steps.step($h));
+                assert_eq!(own, text, "{} {k}", stringify!($mechanism));
+                let of_text: Vec<u64> = steps.numbers().x.iter().map(|number| number.to_bits()).collect();
+                assert_eq!(bits(Moment::x(&state)), of_text, "{} {k}", stringify!($mechanism));
+                assert_eq!(state.time().to_bits(), steps.numbers().time.to_bits());
+            }
+        }};
+    }
+    same!(Pendulum, 1e-3, 2000);
+    same!(FourBar, 1e-3, 2000);
+    same!(TripleRocker, 1e-3, 4000);
+    same!(Absolute, 1e-3, 1000);
+    same!(Bench, 1e-6, 4000);
+    same!(Spun, 1e-3, 10);
+    same!(SpunTwo, 1e-3, 10);
+}

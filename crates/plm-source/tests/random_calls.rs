@@ -1,0 +1,46 @@
+//! Random calls of sources that trap where C leaves undefined what happens: calls of any number, with special numbers half of the time.
+
+#![allow(clippy::unwrap_used, reason = "a test ends where something is missing")]
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use plm_dynamic::Mechanism;
+use plm_source::Precision;
+
+const CALLS: &str = include_str!("support/random_calls.c");
+
+#[test]
+fn random_calls_do_nothing_that_c_leaves_undefined() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/snapshots");
+    for name in ["arm_on_jack", "bouncer", "chain", "driven_crank", "four_bar", "plate_on_three_pins"] {
+        let mechanism = Mechanism::from_file(root.join(format!("{name}.plm"))).unwrap();
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("calls-{name}"));
+        fs::create_dir_all(&folder).unwrap();
+        for file in plm_source::c(&mechanism, Precision::Double).unwrap() {
+            fs::write(folder.join(&file.name), &file.text).unwrap();
+        }
+        fs::write(folder.join("calls.c"), CALLS).unwrap();
+        let mut command = Command::new("cc");
+        command.args([
+            "-std=c99",
+            "-O1",
+            "-fsanitize=undefined,float-cast-overflow",
+            "-fsanitize-undefined-trap-on-error",
+        ]);
+        command.args([format!("-DNAME={name}"), format!("-DHEADER=\"{name}.h\"")]);
+        for function in ["init", "step", "get", "set", "pose", "text"] {
+            command.arg(format!("-D{}={name}_{function}", function.to_uppercase()));
+        }
+        let made = command
+            .args(["calls.c", &format!("{name}.c"), "-o", "calls"])
+            .current_dir(&folder)
+            .output()
+            .unwrap();
+        assert!(made.status.success(), "{name}: {}", String::from_utf8_lossy(&made.stderr));
+        let ran = Command::new(folder.join("calls")).output().unwrap();
+        assert!(ran.status.success(), "{name}: {:?}", ran.status);
+        println!("{name}: {}", String::from_utf8_lossy(&ran.stdout).trim_end());
+    }
+}
