@@ -26,7 +26,9 @@ pub(crate) fn unwind(plan: &Plan) -> String {
 fn unwind_count(plan: &Plan, count: usize, turns: &Turns) -> String {
     let (prefix, first_angle) = (&plan.name, 2 * (plan.counts.coordinates + 1));
     let first_iterated = first_angle + 3 * plan.counts.angles + plan.counts.determinants;
-    let first = turns.in_state.iter().map(|places| {
+    // A tree stays in its first chart.
+    let in_state = turns.in_state.get(..plan.counts.charts).unwrap_or(&turns.in_state);
+    let first = in_state.iter().map(|places| {
         let own = places.first().map(|place| format!("x[{place}]"));
         let remembered = turns.remembered.first().filter(|_| plan.is_loops());
         let of_memory = || remembered.map(|k| format!("self->memory[{}]", first_angle + 3 * k));
@@ -43,10 +45,10 @@ fn unwind_count(plan: &Plan, count: usize, turns: &Turns) -> String {
         all.collect()
     };
     let mut inner = String::new();
-    if turns.in_state.windows(2).all(|pair| pair[0] == pair[1]) {
-        inner.push_str(&of_chart(turns.in_state.first().map_or(&[], Vec::as_slice)));
+    if in_state.windows(2).all(|pair| pair[0] == pair[1]) {
+        inner.push_str(&of_chart(in_state.first().map_or(&[], Vec::as_slice)));
     } else {
-        for (chart, places) in turns.in_state.iter().enumerate().filter(|(_, places)| !places.is_empty()) {
+        for (chart, places) in in_state.iter().enumerate().filter(|(_, places)| !places.is_empty()) {
             let _ = write!(inner, "if (self->chart == {chart}) {{\n{}}}\n", indented(&of_chart(places), 4));
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use plm_compiler::Source;
-use plm_compiler::lowered::{Form, Lowered, Output, Routine, Set};
+use plm_compiler::lowered::{Chart, Form, Lowered, Output, Routine, Set};
 use plm_dynamic::{Mechanism, Numbers};
 use plm_foreign::Names;
 use plm_runtime::described::Tables;
@@ -115,7 +115,7 @@ impl Counts {
             states: start.x.len(),
             coordinates,
             of_bodies: lowered.coordinates.len(),
-            charts: lowered.charts.len(),
+            charts: if lowered.form == Form::Loops { lowered.charts.len() } else { 1 },
             angles: loops.map_or(0, |loops| loops.turning.len()),
             determinants: loops.map_or(0, |loops| loops.determinants),
             iterated: loops.map_or(0, |loops| loops.iterated.len()),
@@ -153,6 +153,12 @@ impl<'a> Plan<'a> {
             Precision::Double => OfPrecision::of::<f64>(),
             Precision::Single => OfPrecision::of::<f32>(),
         }
+    }
+
+    /// Its charts: of a tree the first one, in which it stays.
+    pub(crate) fn charts(&self) -> &'a [Chart] {
+        let all = &self.lowered.charts;
+        if self.is_loops() { all } else { all.get(..1).unwrap_or_default() }
     }
 
     pub(crate) fn is_loops(&self) -> bool {

@@ -77,7 +77,7 @@ fn in_charts<'r>(
     of: &dyn Fn(&'r Chart) -> Option<&'r Routine>,
     in_own: bool,
 ) -> String {
-    let charts = &plan.lowered.charts;
+    let charts = plan.charts();
     let mut text = String::new();
     for (number, chart) in charts.iter().enumerate() {
         if let Some(routine) = of(chart) {
