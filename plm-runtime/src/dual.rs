@@ -17,7 +17,7 @@ use crate::scalar::Real;
 
 /// A number and its derivatives in `K` directions.
 ///
-/// Whatever decides (comparisons, selections, [`is_finite`](Scalar::is_finite)) decides by the value: where a function
+/// Whatever decides (comparisons, selections, [`is_finite`](crate::Scalar::is_finite)) decides by the value: where a function
 /// has a kink, the derivative is that of the side which the value takes.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<S, const K: usize> {

@@ -27,7 +27,7 @@ pub trait Charted:
     type Turns: Copy + AsMut<[i32]>;
     /// Discrete state of the contact rows.
     type Contact: Copy;
-    /// Continuation data, a [`Continuation`].
+    /// Continuation data, a [`Continuation`](crate::charts::Continuation).
     type Continuation: ContinuationData<Self::S>;
     /// Pose or velocity of all bodies.
     type Q: Vector<Self::S>;
