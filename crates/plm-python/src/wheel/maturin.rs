@@ -25,13 +25,14 @@ const FOLDERS: [&str; 7] = [
 ];
 const FILES: [&str; 4] = ["Cargo.toml", "README.md", "LICENSE-APACHE", "LICENSE-MIT"];
 /// Packages of plm that no mechanism needs in Python, and the features that want them.
-const PACKAGES_LEFT_OUT: [&str; 9] = [
+const PACKAGES_LEFT_OUT: [&str; 10] = [
     "plm-cli",
     "plm-dynamic",
     "plm-import",
     "plm-jit",
     "plm-optimise",
     "plm-program",
+    "plm-source",
     "plm-study",
     "plm-synthesis",
     "plm-view",
