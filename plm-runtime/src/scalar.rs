@@ -13,12 +13,14 @@ mod factor;
 mod floats;
 #[cfg(feature = "fma")]
 mod fused;
+mod operation;
 mod real;
 mod registers;
 
 pub use self::at_once::AtOnce;
 pub use self::factor::Factor;
-pub use self::real::{Operation, Real};
+pub use self::operation::Operation;
+pub use self::real::Real;
 pub use self::registers::Registers;
 
 /// A number, or several in lanes, with the operations of a right-hand side.

@@ -13,8 +13,11 @@ use crate::scalar::{Real, Scalar};
 use crate::sim::Stats;
 use crate::singular::{Nearness, Rescue};
 use crate::system::{Health, Rate, Step, System};
-use crate::tolerances;
 use crate::vector::Vector;
+
+/// Drift that is tolerated, as a fraction of the typical coordinate and velocity; of what the scalar can resolve, if that is
+/// more.
+const DRIFT: f64 = 1e-10;
 
 /// Rounding error of the time over steps by themselves. In `f32` a step of a millisecond is rounded to 0.977 ms after 1000 s, and to 0 or 2
 /// ms after 20 000 s; so the rest of a step is added to the next one, as [`Sim::step`](crate::Sim::step) does.
@@ -155,7 +158,7 @@ fn is_uneventful<M: Mechanism>(step: &Step<'_, M>) -> bool {
 /// Is the state too far from its constraints? A step with rows of contact has projected it.
 #[inline]
 fn drifts<M: System<S: Real>>(system: &M, held: &M::U, (t, x): (M::S, &M::X)) -> bool {
-    let tolerance = tolerances::drift();
+    let tolerance = M::S::lit(DRIFT).max(M::S::lit(64.0) * M::S::EPSILON);
     system.contact_count() == 0
         && DriftCheck::Above { tolerance, above: M::S::lit(1.0) }.fails((system, held), t, x)
 }

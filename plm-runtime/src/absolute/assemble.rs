@@ -5,16 +5,15 @@
 //! row, which is the same as removing the column. Velocities take one such solve.
 
 use super::Absolute;
-use super::assembly::{Assembly, Status};
+use super::assembly::{Assembly, Found, Status};
+use super::branch;
 use super::change_point::moves;
 use super::damped::Measure;
 use super::disagree::disagreement;
 use super::far::{far, look_nearer};
-use super::images::{find, missed};
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
 use super::placed::bring_nearer;
-use super::pose::{Pose, newton};
 use super::project::{derive, descend};
 use super::redundancy::{Dependencies, beside};
 use super::renew::open;
@@ -31,6 +30,8 @@ type LockCause = fn(usize, Names, Names) -> Cause;
 const POSITION: LockCause = |count, locks, joints| Cause::Redundant { count, locks, joints };
 const VELOCITY: LockCause = |count, locks, joints| Cause::VelocityRedundant { count, locks, joints };
 
+/// Newton steps after which the joints do not close any more.
+const ITERATIONS: u32 = 100;
 /// Damped steps to a pose without locks, and the part of the violation that each takes away.
 const UNLOCKED: (u32, f64) = (60, 1e-3);
 
@@ -49,7 +50,7 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
     let start = m.start_position();
     let free = freedoms(&start);
     let pose = close(m, t, &start, &free)?;
-    let mut pose = find(m, t, pose, (&start, &free))?;
+    let mut pose = branch::find(m, t, pose, (&start, &free))?;
     derive(&mut pose.q, |q| m.phi(t, q), |q, r| assembly_step(m, t, q, &free, r));
     let refined = m.refine(t, &pose.q);
     let q = refined.map_or(pose.q, |(q, _)| q);
@@ -88,6 +89,21 @@ pub fn assemble<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usiz
         gap: largest(&pose.phi),
         layout,
     })
+}
+
+/// Result of Newton's iteration.
+#[derive(Clone, Copy)]
+pub(super) struct Pose<S, const NQ: usize, const NC: usize> {
+    pub(super) q: [S; NQ],
+    pub(super) iterations: u32,
+    pub(super) phi: [S; NC],
+    pub(super) found: Found,
+}
+
+impl<S: Real, const NQ: usize, const NC: usize> Pose<S, NQ, NC> {
+    pub(super) fn is_closed<M: Absolute<S, NQ, NC>>(&self, m: &M) -> bool {
+        Scale::of_position(m, &self.q).is_closed(m, &self.phi)
+    }
 }
 
 /// Closes the joints from the start values.
@@ -148,9 +164,36 @@ fn searched<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
     t: S,
     (start, free): (&[Start<S>; NQ], &[S; NQ]),
 ) -> Result<Pose<S, NQ, NC>, [S; NQ]> {
-    let mut pose = search(m, t, (start, free), |q| missed(m, q))?;
+    let mut pose = search(m, t, (start, free), |q| branch::missed(m, q))?;
     bring_nearer(m, t, &mut pose, (&values(start), free));
     Ok(pose)
+}
+
+/// Full Newton steps until the joints are closed, then on to rounding; or until the steps vanish.
+pub(super) fn newton<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    q0: &[S; NQ],
+    free: &[S; NQ],
+) -> Pose<S, NQ, NC> {
+    let mut pose = Pose { q: *q0, iterations: 0, phi: m.phi(t, q0), found: Found::FromStart };
+    while pose.iterations < ITERATIONS && !pose.is_closed(m) {
+        let Some(dq) = assembly_step(m, t, &pose.q, free, &pose.phi) else { return pose };
+        for i in 0..NQ {
+            pose.q[i] = pose.q[i] - dq[i];
+        }
+        pose.phi = m.phi(t, &pose.q);
+        pose.iterations += 1;
+        if largest(&dq) <= S::EPSILON * largest(&pose.q) {
+            return pose;
+        }
+    }
+    if pose.is_closed(m) {
+        let scale = Scale::of_position(m, &pose.q);
+        let measure = (S::EPSILON, |r: &[S; NC]| scale.worst(m, r));
+        pose.phi = descend(measure, &mut pose.q, |q| m.phi(t, q), |q, r| assembly_step(m, t, q, free, r));
+    }
+    pose
 }
 
 /// The start velocity, corrected as little as possible; locked velocities are unchanged.

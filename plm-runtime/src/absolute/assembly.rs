@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::Layout;
+use super::{Far, Layout};
 use crate::scalar::Real;
 
 /// A start that the joints allow, compared with the one that was declared.
@@ -41,17 +41,6 @@ pub struct Assembly<S, const NQ: usize, const NC: usize> {
     pub(super) layout: &'static Layout,
 }
 
-/// A start that closes only far away: how far a body was turned, and how far the joints were open.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Far<S> {
-    /// The given angle that was turned most, as `arm.angle`.
-    pub coordinate: &'static str,
-    /// By how much it was turned, rad.
-    pub turned: S,
-    /// Gap of the joints in the start as declared, m.
-    pub missing: S,
-}
-
 /// How assembly found the position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Found {
@@ -85,18 +74,6 @@ impl fmt::Display for Status {
             Self::Insufficient => "insufficient",
             Self::Redundant => "redundant",
         })
-    }
-}
-
-impl<S: Real> fmt::Display for Far<S> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [turned, missing] = [self.turned.to_f64().to_degrees(), self.missing.to_f64()];
-        let coordinate = self.coordinate;
-        write!(
-            f,
-            "the start closes only far from where it is declared: {coordinate} is turned by {turned:.1} deg, though joints \
-             miss each other by {missing:.2e} m alone"
-        )
     }
 }
 

@@ -4,14 +4,19 @@
 //! one is mirrored: both bodies of the joint at the line through their far ends, which is the other solution of a dyad, or one
 //! of them alone, where the other one is locked. Newton's iteration closes what that has opened.
 
+use super::Absolute;
+use super::assemble::{Pose, newton};
+use super::placed::unwind;
+use super::search::search;
+use crate::fault::{Cause, Fault};
 use crate::scalar::Real;
+use crate::start::Start;
 use crate::vector::Vector;
 
 /// A sine below this is that of a flat loop, where both images meet.
 const FLAT: f64 = 1e-9;
-
 /// Ways to look for another image.
-pub(super) const WAYS: [Way; 3] = [Way::Mirrored, Way::Second, Way::First];
+const WAYS: [Way; 3] = [Way::Mirrored, Way::Second, Way::First];
 
 /// A revolute that asks for one of the mirror images of its loop: the side to which its second body turns from the first.
 #[derive(Clone, Copy, Debug)]
@@ -31,10 +36,56 @@ pub struct Branch<S> {
 
 /// Motion that leads to the other image.
 #[derive(Clone, Copy)]
-pub(super) enum Way {
+enum Way {
     Mirrored,
     Second,
     First,
+}
+
+/// Goes over to the images that are asked for, one joint after the other; what is locked stays.
+pub(super) fn find<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    t: S,
+    mut pose: Pose<S, NQ, NC>,
+    (start, free): (&[Start<S>; NQ], &[S; NQ]),
+) -> Result<Pose<S, NQ, NC>, Fault> {
+    while let Some(wrong) = all(m).find(|branch| !branch.is_met(&pose.q)) {
+        let before = missed(m, &pose.q);
+        let found = WAYS.into_iter().find_map(|way| {
+            let mut q = wrong.other(&pose.q, way);
+            for (i, start) in start.iter().enumerate() {
+                if free.at(i) == S::ZERO {
+                    q.set(i, start.value);
+                }
+            }
+            let found = Pose { found: pose.found, ..newton(m, t, &q, free) };
+            (found.is_closed(m) && missed(m, &found.q) < before).then_some(found)
+        });
+        let found = found.or_else(|| {
+            let found = search(m, t, (start, free), |q| missed(m, q)).ok()?;
+            (missed(m, &found.q) < before).then_some(found)
+        });
+        let [first, second] = wrong.names;
+        let cause = Cause::OtherBranch { first, second, left: !wrong.left };
+        pose = found.ok_or(Fault::of_part(t.to_f64(), wrong.part, cause))?;
+        // Mirrored bodies may have turned further than half a turn.
+        unwind(m, t, &mut pose, (start, free));
+    }
+    Ok(pose)
+}
+
+fn all<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+) -> impl Iterator<Item = Branch<S>> {
+    (0..).map_while(|index| m.branch(index))
+}
+
+/// How many joints are on another image than they ask for.
+pub(super) fn missed<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, const NC: usize>(
+    m: &M,
+    q: &[S; NQ],
+) -> usize {
+    all(m).filter(|branch| !branch.is_met(q)).count()
 }
 
 impl<S: Real> Branch<S> {
@@ -50,14 +101,14 @@ impl<S: Real> Branch<S> {
         angle(middle, to) - angle(from, middle)
     }
 
-    pub(super) fn is_met<const NQ: usize>(&self, q: &[S; NQ]) -> bool {
+    fn is_met<const NQ: usize>(&self, q: &[S; NQ]) -> bool {
         let (sine, _) = self.turned(q).sin_cos();
         let sine = if self.left { sine } else { -sine };
         sine >= -S::lit(FLAT).max(S::lit(64.0) * S::EPSILON)
     }
 
     /// A pose near another image.
-    pub(super) fn other<const NQ: usize>(&self, q: &[S; NQ], way: Way) -> [S; NQ] {
+    fn other<const NQ: usize>(&self, q: &[S; NQ], way: Way) -> [S; NQ] {
         let ([from, middle, to], [first, second]) = (self.corners(q), self.bodies);
         let (mut other, two) = (*q, S::lit(2.0));
         match way {

@@ -2,7 +2,7 @@
 //! compiler's `numeric/change_point.rs` is its twin.
 
 use super::Absolute;
-use super::pose::newton;
+use super::assemble::newton;
 use crate::scalar::Real;
 use crate::vector::Vector;
 

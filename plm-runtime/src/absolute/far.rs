@@ -4,12 +4,13 @@
 //! where lengths change with the square of an angle, of `sqrt(g)`. A pose much farther away is another one than was drawn: the other image
 //! of a loop, or one after a dead point that the lengths do not reach.
 
+use core::fmt;
+
 use super::Absolute;
-use super::assembly::Far;
+use super::assemble::Pose;
+use super::branch;
 use super::damped::Measure;
-use super::images::missed;
 use super::placed::{Begin, PLACING};
-use super::pose::Pose;
 use super::search::search;
 use crate::scalar::Real;
 use crate::start::{Start, values};
@@ -21,6 +22,29 @@ const EXPLAINED: f64 = 8.0;
 const LOOKED_AT: f64 = 0.3;
 /// Another pose is taken if the sum of the squares of its rotations is less than this part.
 const NEARER: f64 = 0.9;
+
+/// A start that closes only far away: how far a body was turned, and how far the joints were open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Far<S> {
+    /// The given angle that was turned most, as `arm.angle`.
+    pub coordinate: &'static str,
+    /// By how much it was turned, rad.
+    pub turned: S,
+    /// Gap of the joints in the start as declared, m.
+    pub missing: S,
+}
+
+impl<S: Real> fmt::Display for Far<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [turned, missing] = [self.turned.to_f64().to_degrees(), self.missing.to_f64()];
+        let coordinate = self.coordinate;
+        write!(
+            f,
+            "the start closes only far from where it is declared: {coordinate} is turned by {turned:.1} deg, though joints \
+             miss each other by {missing:.2e} m alone"
+        )
+    }
+}
 
 /// Does a closed pose turn a body further from the given angles than what was missing there explains?
 #[inline(never)]
@@ -58,7 +82,7 @@ pub(super) fn look_nearer<S: Real, M: Absolute<S, NQ, NC>, const NQ: usize, cons
     if far(m, t, (start, free), &pose.q).is_none() {
         return;
     }
-    let Ok(other) = search(m, t, (start, free), |q| missed(m, q)) else { return };
+    let Ok(other) = search(m, t, (start, free), |q| branch::missed(m, q)) else { return };
     let values = values(start);
     let begin = Begin::new(m, &values, free);
     if begin.distance(&other.q) < S::lit(NEARER) * begin.distance(&pose.q) {

@@ -5,8 +5,8 @@
 //! was not given does not count: it is zero by default, and its body may belong anywhere.
 
 use super::Absolute;
+use super::assemble::{Pose, newton};
 use super::damped::Measure;
-use super::pose::{Pose, newton};
 use super::search;
 use crate::scalar::Real;
 use crate::start::{Start, values};

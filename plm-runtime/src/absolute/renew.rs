@@ -1,9 +1,9 @@
 //! Assembly of a running mechanism whose parameters were changed.
 
+use super::assemble::{Pose, newton};
 use super::damped::Measure;
 use super::lack::lack;
 use super::newton::{assembly_step, refused};
-use super::pose::{Pose, newton};
 use super::project::{derive, descend, widest};
 use super::scale::Scale;
 use super::search::{nearest_turns, unwind};

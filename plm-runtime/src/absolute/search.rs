@@ -5,10 +5,10 @@
 //! forms are needed.
 
 use super::Absolute;
+use super::assemble::{Pose, newton};
 use super::assembly::Found;
 use super::damped::Measure;
 use super::newton::assembly_step;
-use super::pose::{Pose, newton};
 use super::scale::Scale;
 use crate::scalar::Real;
 use crate::start::{Start, values};

@@ -1,10 +1,10 @@
 //! Continuity check: could a state have come from the last checked one, and the continuation data that both give together.
 
-use crate::charts::{Charted, ContinuationData, OfLoops};
+use crate::charts::{Charted, ContinuationData, OfLoops, square};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::tolerances::{
-    BOX, FAR, FARTHEST, FARTHEST_ITERATED, NARROWEST_BOX, NOTICED, UNREACHED, narrowest_square, square,
+    BOX, FAR, FARTHEST, FARTHEST_ITERATED, NARROWEST_BOX, NOTICED, UNREACHED, narrowest_square,
 };
 
 /// The continuation data of the last checked state in a chart, and of the state at the time `t`.

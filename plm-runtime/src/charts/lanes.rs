@@ -1,9 +1,9 @@
 //! Checks of several states side by side: is a check due, and checks that update continuation data alone.
 
 use super::revolutions::first_places;
-use super::{Charted, ContinuationData, OfLoops, Reach};
+use super::{Charted, ContinuationData, OfLoops, Reach, square};
 use crate::scalar::Scalar;
-use crate::tolerances::{BOXES, FAR, FARTHEST, FLAT, LONG, SURELY, square, tight};
+use crate::tolerances::{BOXES, FAR, FARTHEST, FLAT, LONG, SURELY, tight};
 use crate::turns::are_near;
 use crate::vector::Vector;
 

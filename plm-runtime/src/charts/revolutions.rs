@@ -4,6 +4,17 @@ use super::{Charted, Charts, ContinuationData, OfLoops};
 use crate::turns::{due, less};
 use crate::vector::Vector;
 
+/// The angles of bodies that turn as one, whose revolutions are counted together.
+#[derive(Clone, Copy, Debug)]
+pub struct Revolutions {
+    /// By chart: the coordinates that are such angles.
+    pub coordinates: &'static [&'static [usize]],
+    /// Their places among the angles of the continuation data.
+    pub angles: &'static [usize],
+    /// Their places among the unknowns of iterations.
+    pub iterated: &'static [usize],
+}
+
 /// Is a coordinate to be brought back?
 #[inline]
 pub(super) fn are_due<M: Charted>(charts: &Charts, held: &M::U, x: &M::X) -> bool {

@@ -6,8 +6,10 @@
 
 use super::impact::Doubts;
 use crate::scalar::Real;
-use crate::tolerances::{IMPACT_GAINS, resolved};
 use crate::words::{InWords, Words};
+
+/// Gain of an impact, as a fraction of the energy that impulses and rates turn over, up to which it counts as rounding.
+const GAIN: f64 = 1e-9;
 
 /// Impulse of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +79,7 @@ impl<S: Real, const N: usize> Struck<S, N> {
         self.lost = self.lost + lost;
         self.count += 1;
         let gain = -lost;
-        if gain > resolved::<S>(IMPACT_GAINS) * size {
+        if gain > S::lit(GAIN).max(S::lit(64.0) * S::EPSILON) * size {
             return Err([gain.to_f64(), size.to_f64()]);
         }
         Ok(())

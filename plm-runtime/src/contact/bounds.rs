@@ -6,10 +6,13 @@ use super::{Contacts, Limit, Modal, lambda_of};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{AT_ONCE, BOUND_ROUNDED};
 
+/// A bound below this fraction of the force that would hold the row is rounding.
+const ROUNDING: f64 = 1e-9;
 /// Unit of a bound.
 const FORCE: &str = "N or N m";
+/// Time, s, within which a bound that comes to zero counts as zero: the accuracy of event times.
+const AT_ONCE: f64 = 1e-10;
 
 /// Checks the bounds that no contact force decides, and the coefficients that are the only term of a bound: none may be negative.
 ///
@@ -26,7 +29,7 @@ pub(super) fn look_at_bounds<M: Contacts<N>, const N: usize>(
         for found in limits(rows, row).into_iter().filter_map(alone) {
             let what = match found {
                 Alone::Force(force) if force < -none => ("bound of friction", force, FORCE),
-                Alone::Coefficient(factor) if factor < -BOUND_ROUNDED.of::<M::S>() => {
+                Alone::Coefficient(factor) if factor < -M::S::lit(ROUNDING) => {
                     ("coefficient of friction", factor, "")
                 }
                 _ => continue,
@@ -73,7 +76,7 @@ pub(super) fn look_at_falling_bounds<M: Contacts<N>, const N: usize>(
         let falls = |found: Alone<Dual<M::S, 1>>| {
             let (Alone::Force(found) | Alone::Coefficient(found)) = found;
             let slope = found.tangents[0];
-            slope < M::S::ZERO && found.value.abs() <= none.max(AT_ONCE.of::<M::S>() * slope.abs())
+            slope < M::S::ZERO && found.value.abs() <= none.max(M::S::lit(AT_ONCE) * slope.abs())
         };
         if limits(&moving, row).into_iter().filter_map(alone).any(falls) {
             let what = ("bound of friction, which falls below zero,", M::S::ZERO, FORCE);
@@ -86,7 +89,7 @@ pub(super) fn look_at_falling_bounds<M: Contacts<N>, const N: usize>(
 /// Rounding of a bound; infinite or NaN if the row has no direction.
 fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize) -> S {
     let row = below::<N>(row);
-    BOUND_ROUNDED.of::<S>() * rows.free[row].abs() / rows.delassus[row][row].abs()
+    S::lit(ROUNDING) * rows.free[row].abs() / rows.delassus[row][row].abs()
 }
 
 /// Fault of a negative bound.

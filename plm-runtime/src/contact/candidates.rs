@@ -9,11 +9,18 @@ use super::signs::signed;
 use super::walk::walk;
 use crate::linalg::Lu;
 use crate::scalar::Real;
-use crate::tolerances::{
-    ACCELERATION_ROUNDED, FORCE_ROUNDED, MARGINAL, MOST_COMBINATIONS, ROW_DEPENDENT, SAME_ACCELERATION,
-    same_motion,
-};
 use crate::vector::Vector;
+
+/// Relative size below which an inequality is marginal, and relative difference below which two motions are equal.
+pub(super) const MARGINAL: f64 = 1e-9;
+/// Error of every acceleration, or rate in an impact, in roundings of the largest one.
+const ROUNDING: f64 = 32.0;
+/// A row depends on the constraint rows if its own part of D is below this fraction of its diagonal entry.
+const DEPENDENT: f64 = 1e-9;
+/// Error of the equation of a force, in roundings of its terms.
+const ROUNDED: f64 = 4.0;
+/// Most combinations that are enumerated; if there are more, they are searched by pivots.
+const MOST_CANDIDATES: u32 = 1 << 14;
 
 /// Modes that a row may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +106,7 @@ impl<S: Real, const N: usize> Margins<S, N> {
     /// Inequalities that are violated by more than rounding.
     pub(super) fn broken(&self) -> [bool; N] {
         // True for NaN.
-        let is_met = |value: S, size: S| value >= -(MARGINAL.of::<S>() * size);
+        let is_met = |value: S, size: S| value >= -(S::lit(MARGINAL) * size);
         core::array::from_fn(|i| self.size[i].is_some_and(|size| !is_met(self.value[i], size)))
     }
 }
@@ -113,7 +120,7 @@ pub(super) fn enumerate<S: Real, const N: usize>(
 ) -> Found<S, N> {
     let allowed = &near(rows, allowed);
     let count = allowed.iter().fold(1_u32, |count, row| count.saturating_mul(row.modes().len() as u32));
-    if count > MOST_COMBINATIONS {
+    if count > MOST_CANDIDATES {
         return walk(rows, allowed, broken);
     }
     let mut best: Option<(Solution<S, N>, usize)> = None;
@@ -238,7 +245,7 @@ pub(super) fn solve<S: Real, const N: usize>(
         }
         if mode.holds() {
             solution.slack = solution.slack.min(value / size);
-        } else if value.abs() <= MARGINAL.of::<S>() * size && depends(rows, &modes, i) {
+        } else if value.abs() <= S::lit(MARGINAL) * size && depends(rows, &modes, i) {
             solution.carried[i] = true;
             continue;
         }
@@ -259,7 +266,7 @@ fn sizes<S: Real, const N: usize>(rows: &Rows<S, N>, lambda: &[S; N]) -> [S; N] 
     let roots: [S; N] = Vector::from_fn(|i| rows.delassus[i][i].max(S::ZERO).sqrt());
     let largest =
         indices::<N>().filter(|i| roots[*i] > S::ZERO).fold(S::ZERO, |most, i| most.max(terms[i] / roots[i]));
-    let rounding = ACCELERATION_ROUNDED.of::<S>() * S::EPSILON / MARGINAL.of::<S>() * largest;
+    let rounding = S::lit(ROUNDING) * S::EPSILON / S::lit(MARGINAL) * largest;
     Vector::from_fn(|i| terms[i].max(rounding * roots[i]))
 }
 
@@ -269,7 +276,7 @@ fn held_size<S: Real, const N: usize>(rows: &Rows<S, N>, row: usize, (lambda, te
     let row = below::<N>(row);
     let [lower, upper] = stick(rows, row, lambda);
     let own = lambda[row].abs() + (lower + upper).abs();
-    own.max(FORCE_ROUNDED.of::<S>() * S::EPSILON * terms).min(terms)
+    own.max(S::lit(ROUNDED) * S::EPSILON * terms).min(terms)
 }
 
 /// Size of the terms of an acceleration.
@@ -296,7 +303,7 @@ fn depends<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &[Mode; N], i: usi
     let mut y = column;
     lu.solve(&mut y);
     let own = (0..order.min(N)).fold(entry(i, i), |own, k| own - column[k] * y[k]);
-    own <= ROW_DEPENDENT.of::<S>() * entry(i, i)
+    own <= S::lit(DEPENDENT) * entry(i, i)
 }
 
 /// Number of rows that move although they could be at rest.
@@ -307,6 +314,9 @@ fn moving<S: Real, const N: usize>(allowed: &[Allowed; N], solution: &Solution<S
     };
     indices::<N>().filter(moves).count()
 }
+
+/// Accelerations of rows are equal if they differ by less than this fraction of the largest terms.
+const NO_DIFFERENCE: f64 = 1e-12;
 
 /// True if two combinations differ only in rows that stick in one and slip in the other, under a static bound above the kinetic one. By
 /// that law a row at rest sticks, although it could slip.
@@ -334,6 +344,6 @@ pub(super) fn is_same_motion<S: Real, const N: usize>(
     let largest = indices::<N>().fold(S::ZERO, |largest, i| largest.max(size(i)));
     indices::<N>().all(|i| {
         let apart = (one.acceleration[i] - other.acceleration[i]).abs();
-        apart <= (S::lit(same_motion()) * size(i)).max(SAME_ACCELERATION.of::<S>() * largest)
+        apart <= (S::lit(4.0 * MARGINAL) * size(i)).max(S::lit(NO_DIFFERENCE) * largest)
     })
 }

@@ -9,7 +9,10 @@ use super::scales::speed;
 use super::{Contacts, Modal};
 use crate::fault::Fault;
 use crate::scalar::Scalar;
-use crate::tolerances::MOVED_BY_CALLER;
+
+/// A constraint row has been moved if it is off its place by more than this fraction of the length of the mechanism, or if its rate
+/// exceeds this fraction of the speed that free acceleration gives over that length. Errors of integration are smaller.
+const MOVED: f64 = 1e-5;
 
 /// Finds the modes again if the caller has moved a constraint row, or if a friction that had no bound has one now. A gap that was moved is
 /// open, a friction sticks in its new place or slips. Otherwise nothing changes. Modes that change where the state is set
@@ -30,8 +33,7 @@ pub fn state_was_set<M: Contacts<N>, const N: usize>(
         u.modes_mut().change = Change::AtEvents;
         return update(system, t, u, x).map(|_| ());
     }
-    let [far, fast] =
-        [system.length(), speed::<M, N>(system, &rows, u)].map(|size| MOVED_BY_CALLER.of::<M::S>() * size);
+    let [far, fast] = [system.length(), speed::<M, N>(system, &rows, u)].map(|size| M::S::lit(MOVED) * size);
     let mut any = false;
     for row in 0..N {
         let (is_carried, is_gap) = (modes.carried[row], system.law(row).is_unilateral());

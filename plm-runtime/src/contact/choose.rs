@@ -1,13 +1,12 @@
 //! Modes that apply after an event, and faults if there are none.
 
-use super::candidates::{Allowed, Found, Margins, Solution, enumerate, most_holding, solve};
+use super::candidates::{Allowed, Found, MARGINAL, Margins, Solution, enumerate, most_holding, solve};
 use super::event::{Event, moving_rows};
 use super::marginal::broken;
 use super::rows::Rows;
 use super::{Contacts, Modal, paradox};
 use crate::fault::{Cause, Fault};
 use crate::scalar::Scalar;
-use crate::tolerances::MARGINAL;
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// The combination that satisfies all inequalities; true if there are others.
@@ -67,7 +66,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         let Some((_, Margins { value, size })) = solve(rows, allowed, solution.modes) else { return Ok(()) };
         let is_at_limit = |i: &usize| {
             size[*i].is_some_and(|size| {
-                let none = MARGINAL.of::<M::S>() * size;
+                let none = M::S::lit(MARGINAL) * size;
                 value[*i].abs() <= none && value[*i].largest_derivative() > none.to_f64()
             })
         };

@@ -13,8 +13,27 @@ use super::rows::{Law, Rows, below, indices};
 use super::{Contacts, Modal};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{SHORTLY, SLIGHT, SLOW_AT_REST, STILL, UNMOVED, UNSHAKEN, left_rest};
 use crate::vector::Vector;
+
+/// Time, s, in which acceleration and jerk give the velocity that decides: at the end of a motion that comes to rest smoothly the
+/// acceleration is still that of braking, and the jerk, which ends it, outweighs it.
+const SHORTLY: f64 = 1e-5;
+/// A prescribed velocity is rounding below so many roundings of the largest of 1 m/s, 1 rad/s and the fastest row.
+const STILL: f64 = 64.0;
+/// A prescribed acceleration, m/s^2 or rad/s^2, is rounding below so many roundings of 1: in absolute coordinates it is the sum of forces
+/// that balance each other.
+const UNMOVED: f64 = 4096.0;
+/// Acceleration, m/s^2 or rad/s^2, up to which the largest force of a friction does not change the motion of its row.
+const UNSHAKEN: f64 = 1e-11;
+/// Entry of D, 1/kg or 1/(kg m^2), up to which a carried row may be at rest by a drive.
+const NO_DIRECTION: f64 = 1e-9;
+/// Speed, m/s or rad/s, at which a row at rest has left its rest: the errors of integration of a zero velocity are smaller, ...
+const LEFT: f64 = 1e-9;
+/// ... and it is at least so many roundings.
+const LEAST_LEFT: f64 = 1024.0;
+
+/// Up to so many times that speed, errors of integration are removed before it is decided if a row has left its rest.
+const SLOW: f64 = 1e4;
 
 /// Cause that decides if a friction slips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +55,7 @@ pub(super) fn leaves<T: Scalar, const N: usize>(
     if !rests(rows, modes, row) {
         return T::lit(1.0);
     }
-    let share = rows.rate[below::<N>(row)] / T::lit(left_rest(T::PRECISION));
+    let share = rows.rate[below::<N>(row)] / T::lit(left::<T>());
     T::lit(1.0) - share * share
 }
 
@@ -47,8 +66,12 @@ pub(super) fn rests<T: Scalar, const N: usize>(
     row: usize,
 ) -> bool {
     let row = below::<N>(row);
-    let is_slight = || rows.delassus[row][row].to_f64() <= SLIGHT.get() || rows.is_cancelled(row, 1.0);
+    let is_slight = || rows.delassus[row][row].to_f64() <= NO_DIRECTION || rows.is_cancelled(row, 1.0);
     modes.carried[row] && modes.of[row] != Mode::Open && is_slight()
+}
+
+fn left<T: Scalar>() -> f64 {
+    (LEAST_LEFT * T::PRECISION).max(LEFT)
 }
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
@@ -60,7 +83,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         }
         let [lower, upper] = stick(rows, row, &[M::S::ZERO; N]);
         let most = lower.max(upper);
-        let is_rounding = most > M::S::ZERO && most * rows.delassus[row][row] <= UNSHAKEN.of::<M::S>();
+        let is_rounding = most > M::S::ZERO && most * rows.delassus[row][row] <= M::S::lit(UNSHAKEN);
         is_rounding || rows.is_cancelled(row, self.system.length().to_f64())
     }
 
@@ -69,7 +92,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// # Errors
     /// Those of [`Contacts::project_joints`].
     pub(super) fn settle_rest(&self, rows: &mut Rows<M::S, N>, u: &M::U, x: &mut M::X) -> Result<(), Fault> {
-        let slow = M::S::lit(SLOW_AT_REST.get() * left_rest(M::S::PRECISION));
+        let slow = M::S::lit(SLOW * left::<M::S>());
         let is_slow = |row: usize| rows.rate[row] != M::S::ZERO && rows.rate[row].abs() <= slow;
         if indices::<N>().any(|row| is_slow(row) && self.is_driven(rows, u, row)) {
             project(self.system, self.t, u, x)?;
@@ -82,7 +105,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     pub(super) fn slips(&self, rows: &mut Rows<M::S, N>, u: &M::U, x: &M::X) -> [Slip; N] {
         let one = M::S::lit(1.0);
         let fastest = rows.rate.iter().fold(one, |fastest, rate| fastest.max(rate.abs()));
-        let still = STILL.of::<M::S>() * M::S::EPSILON * fastest;
+        let still = M::S::lit(STILL) * M::S::EPSILON * fastest;
         let mut jerks: Option<[M::S; N]> = None;
         let mut slips = [Slip::ByForces; N];
         for row in indices::<N>() {
@@ -92,9 +115,9 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             let mut speed = rows.rate[row];
             if speed.abs() <= still {
                 let [jerk, shortly] =
-                    [jerks.get_or_insert_with(|| self.jerks(rows, u, x))[row], SHORTLY.of::<M::S>()];
+                    [jerks.get_or_insert_with(|| self.jerks(rows, u, x))[row], M::S::lit(SHORTLY)];
                 speed = shortly * (rows.free[row] + M::S::lit(0.5) * shortly * jerk);
-                if speed.abs() <= shortly * UNMOVED.of::<M::S>() * M::S::EPSILON {
+                if speed.abs() <= shortly * M::S::lit(UNMOVED) * M::S::EPSILON {
                     speed = M::S::ZERO;
                 }
             }
@@ -116,7 +139,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
             Some(own) if own == row => u.modes().of[below::<N>(row)] == next,
             other => other.is_some() && rests(rows, u.modes(), row),
         };
-        is_at_rest && rows.rate[below::<N>(row)].abs() < M::S::lit(left_rest(M::S::PRECISION))
+        is_at_rest && rows.rate[below::<N>(row)].abs() < M::S::lit(left::<M::S>())
     }
 
     /// Rates of the accelerations along the motion, in the modes before the event.

@@ -11,7 +11,13 @@ use super::multipliers::{Multipliers, multipliers, multipliers_along};
 use super::rows::{Rows, below, indices};
 use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::Real;
-use crate::tolerances::{ENCLOSURE_TRIALS, WIDER, WIDER_LEAST};
+
+/// Most trials of intervals of unit vectors.
+const TRIES: u32 = 5;
+/// Relative widening of intervals that do not contain their image.
+const WIDER: f64 = 0.5;
+/// Least widening, so that rounding does not leave an interval.
+const LEAST: f64 = 1e-13;
 
 /// Intervals of unit vectors of the reactions.
 type Directions<S, const N: usize> = [[Enclosed<S>; 2]; N];
@@ -31,7 +37,7 @@ pub(super) fn multipliers_within<S: Real, const N: usize>(
     }
     let mut known = rows.directions(&found.lambda, slips);
     let mut tried = widened(&known, &known);
-    for _ in 0..ENCLOSURE_TRIALS {
+    for _ in 0..TRIES {
         let found = multipliers_along(rows, modes, &tried)?;
         known = rows.directions(&found.lambda, slips);
         if holds(&tried, &known) {
@@ -48,7 +54,7 @@ pub(super) fn multipliers_within<S: Real, const N: usize>(
 fn widened<S: Real, const N: usize>(a: &Directions<S, N>, b: &Directions<S, N>) -> Directions<S, N> {
     let wider = |a: Enclosed<S>, b: Enclosed<S>| {
         let value = a.value.hull(b.value);
-        let by = WIDER.of::<S>() * (value.high - value.low) + WIDER_LEAST.of::<S>();
+        let by = S::lit(WIDER) * (value.high - value.low) + S::lit(LEAST);
         let value = Interval::between(value.low - by, value.high + by);
         Enclosed { middle: b.middle, value, slope: Interval::point(S::ZERO) }
     };

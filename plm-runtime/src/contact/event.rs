@@ -24,8 +24,18 @@ use super::{Contacts, Modal, change_in_steps, lambda_of};
 use crate::dual::Dual;
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{GAP_CLOSED, GAP_LED, GAP_ROUNDED, NO_SLIP, STATE_ROUNDED};
 use crate::vector::Vector;
+
+/// Gap, as a fraction of the length of the mechanism, below which a row is closed at the start of a run and in steps without events.
+pub(super) const CLOSED: f64 = 1e-9;
+/// Error of a gap that closes at the time of an event: so many roundings of that length, ...
+const ROUNDED: f64 = 64.0;
+/// ... and the product of its rate with so many roundings of the time.
+const LATE: f64 = 8.0;
+/// Distance, as a fraction of that length, from which a gap that closes at a located event is led to zero.
+const NEAR: f64 = 1e-6;
+/// Slip, as a fraction of the speed that the free acceleration gives over the length of the mechanism, below which it is zero.
+const NO_SLIP: f64 = 1e-10;
 
 /// Commits the event of the guard `index`: impacts, and the modes that apply from now on.
 ///
@@ -242,8 +252,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
         }
         // A gap that closes may be some tolerances away from zero: it is led there, so that no step has to. After a step of fixed
         // length a larger gap is left to the next steps.
-        let most = M::S::lit(if self.step > M::S::ZERO { GAP_CLOSED.get() } else { GAP_LED.get() })
-            * self.system.length();
+        let most = M::S::lit(if self.step > M::S::ZERO { CLOSED } else { NEAR }) * self.system.length();
         let is_far = |i: usize| laws[i].is_unilateral() && rows.gap[i].abs() > most;
         if indices::<N>().any(|i| after.of[i] == Mode::Closed && is_far(i)) {
             stop(self.system, (self.t, u, &self.system.rows_at(self.t, u, x)), x);
@@ -271,10 +280,10 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// time of the event: a gap that closes later, however soon, has an impact of its own.
     fn near(&self, rate: M::S) -> M::S {
         if self.occasion == Occasion::Start {
-            return GAP_CLOSED.of::<M::S>() * self.system.length();
+            return M::S::lit(CLOSED) * self.system.length();
         }
-        let late = STATE_ROUNDED.of::<M::S>() * M::S::EPSILON * self.t.abs();
-        late.mul_add((-rate).max(M::S::ZERO), GAP_ROUNDED.of::<M::S>() * M::S::EPSILON * self.system.length())
+        let late = M::S::lit(LATE) * M::S::EPSILON * self.t.abs();
+        late.mul_add((-rate).max(M::S::ZERO), M::S::lit(ROUNDED) * M::S::EPSILON * self.system.length())
     }
 
     /// Modes that each row may have, by its gap and its rate.
@@ -337,7 +346,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
 
     /// Speed below which a friction does not slip.
     fn no_slip(&self, acceleration: M::S) -> M::S {
-        NO_SLIP.of::<M::S>() * (acceleration * self.system.length()).sqrt()
+        M::S::lit(NO_SLIP) * (acceleration * self.system.length()).sqrt()
     }
 
     pub(super) fn fault(&self, row: usize, cause: Cause) -> Fault {

@@ -6,7 +6,11 @@ use super::rows::{Rows, below};
 use super::{Contacts, Modal, lambda_of};
 use crate::dual::Dual;
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{LIGHT, LOWEST_FLIGHT};
+
+/// Height, in roundings of the length, below which a flight is ignored.
+const LOWEST_FLIGHT: f64 = 1000.0;
+/// Rows with a diagonal entry of D below this fraction of the own one are ignored in the search for the largest pull.
+const LIGHT: f64 = 1e-6;
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// Rate below which a row is at rest: its flight would be lower than rounding. The pull on another row may act on it too: a block on
@@ -14,7 +18,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     pub(super) fn resting(&self, rows: &Rows<M::S, N>, row: usize) -> M::S {
         let row = below::<N>(row);
         let own = rows.delassus[row][row];
-        let (mut pull, light) = (rows.free[row].abs(), LIGHT.of::<M::S>() * own);
+        let (mut pull, light) = (rows.free[row].abs(), M::S::lit(LIGHT) * own);
         for j in 0..N {
             if self.system.law(j).is_unilateral() && rows.delassus[j][j] > light {
                 pull = pull.max(rows.free[j].abs() * (own / rows.delassus[j][j]).sqrt());
@@ -25,7 +29,7 @@ impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
 
     /// Height below which a flight is ignored.
     fn lowest_flight(&self) -> M::S {
-        LOWEST_FLIGHT.of::<M::S>() * M::S::EPSILON * self.system.length()
+        M::S::lit(LOWEST_FLIGHT) * M::S::EPSILON * self.system.length()
     }
 
     /// Rate below which the flight of a row whose impact was not located would end within a step, or below zero after a penetration.

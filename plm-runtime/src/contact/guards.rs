@@ -8,13 +8,19 @@ use super::bounds::least_bound;
 use super::driven::rests;
 use super::enclosed::multipliers_within;
 use super::kinematics::Kinematics;
-use super::margins::{PER_ROW, SIGN, each_margin, margins};
+use super::margins::{PER_ROW, SIGN, UNIQUE, each_margin, margins};
 use super::modes::{Mode, Modes};
 use super::rows::{Rows, below, indices};
 use super::{Contacts, Modal, change_in_steps};
 use crate::enclosure::Enclosed;
 use crate::scalar::Scalar;
-use crate::tolerances::{BENT, CHANGED, COUPLED, UNIQUE};
+
+/// A guard keeps its sign if it is larger than so many times its second difference over half of the step, ...
+const BENT: f64 = 2.0;
+/// ... and larger than this fraction of its change.
+const CHANGED: f64 = 0.125;
+/// The determinant of slipping rows is 1 if none bounds another one. Below this value it is checked over the step.
+const COUPLED: f64 = 0.5;
 
 /// Guards of the rows in the present modes, for [`Events::guards`](crate::Events::guards): gives each of the
 /// [`guard_count`](super::guard_count) with its index.
@@ -109,7 +115,7 @@ pub fn stay<M: Contacts<N>, const N: usize>(
             let gap = rows.gap[row].range(half);
             modes.of[row] != Mode::Open
                 || !system.exists(u, row)
-                || gap.low > CHANGED.of::<M::S>() * (gap.high - gap.low)
+                || gap.low > M::S::lit(CHANGED) * (gap.high - gap.low)
         };
         if !indices::<N>().all(is_far) {
             return false;
@@ -118,7 +124,7 @@ pub fn stay<M: Contacts<N>, const N: usize>(
     if !modes.of.iter().any(|mode| mode.slips()) {
         return true;
     }
-    if end(PER_ROW * N) < COUPLED.of::<M::S>() {
+    if end(PER_ROW * N) < M::S::lit(COUPLED) {
         return false;
     }
     let [first, second] = places.map(|(t, x)| slipping(system, u, t, x));
@@ -126,7 +132,7 @@ pub fn stay<M: Contacts<N>, const N: usize>(
         let place = |guards: &[[M::S; PER_ROW]; N]| guards[below::<N>(row)][below::<PER_ROW>(k)];
         let (a, b, c) = (place(&first), place(&second), end(PER_ROW * row + k));
         let (bent, changed) = ((a - b - b + c).abs(), (c - a).abs());
-        a.min(b).min(c) > BENT.of::<M::S>() * bent + CHANGED.of::<M::S>() * changed
+        a.min(b).min(c) > M::S::lit(BENT) * bent + M::S::lit(CHANGED) * changed
     };
     // Signs of reactions that bound nothing are far from zero.
     indices::<N>().all(|row| !modes.of[row].slips() || (0..SIGN).all(|k| is_clear(row, k)))
@@ -178,7 +184,7 @@ fn free_margins<T: Scalar, const N: usize>(
         let is_sized = rows.is_line(load) && rows.bounds_slip(load, modes);
         each(PER_ROW * load + SIGN, sizes.filter(|_| is_sized).map_or(far, |sizes| sizes[load]));
     }
-    let least = T::lit(if modes.of.iter().any(|mode| mode.slips()) { UNIQUE.get() } else { 0.0 });
+    let least = T::lit(if modes.of.iter().any(|mode| mode.slips()) { UNIQUE } else { 0.0 });
     each(PER_ROW * N, if sizes.is_some() { far } else { orientation } - least);
 }
 

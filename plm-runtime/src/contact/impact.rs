@@ -8,11 +8,10 @@
 //! If more rows are at rest after compression than there are degrees of freedom, its impulses are one of many solutions. Expansion returns
 //! fractions of them, so that the rates after it are one of many too.
 
-use super::candidates::{Allowed, Found, Solution, enumerate, is_same_motion};
+use super::candidates::{Allowed, Found, MARGINAL, Solution, enumerate, is_same_motion};
 use super::loads::Load;
 use super::rows::{Law, Rows, below, indices};
 use crate::scalar::Real;
-use crate::tolerances::{MARGINAL, same_motion};
 
 /// The law of impact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -106,7 +105,7 @@ pub(super) fn impulses<S: Real, const N: usize>(
 
 /// True if another row approaches as fast as the fastest one and their impacts influence each other: then their order decides the outcome.
 fn is_as_fast<S: Real, const N: usize>(rows: &Rows<S, N>, fastest: usize, other: usize) -> bool {
-    let (d, none) = (&rows.delassus, MARGINAL.of::<S>());
+    let (d, none) = (&rows.delassus, S::lit(MARGINAL));
     let [fastest, other] = [fastest, other].map(below::<N>);
     let couples = d[fastest][other].abs() > none * (d[fastest][fastest] * d[other][other]).sqrt();
     let apart = (rows.rate[other] - rows.rate[fastest]).abs();
@@ -202,7 +201,7 @@ fn is_shared<S: Real, const N: usize>(
                 let (apart, size) = terms.fold((S::ZERO, S::ZERO), |(apart, size), (d, one, other)| {
                     (d.mul_add(one - other, apart), size + d.abs() * (one.abs() + other.abs()))
                 });
-                apart.abs() > S::lit(same_motion()) * size
+                apart.abs() > S::lit(4.0 * MARGINAL) * size
             });
         }
         broken

@@ -2,21 +2,31 @@
 //!
 //! The order is lexicographic, value before rate (F. Pfeiffer, Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996).
 
-use super::candidates::{Margins, Solution};
+use super::candidates::{MARGINAL, Margins, Solution};
 use super::margins::stick;
 use super::modes::Mode;
 use super::multipliers::multipliers;
 use super::rows::{Rows, below};
 use crate::dual::Dual;
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{AT_ONCE, MARGINAL, MOST_MARGINAL, NO_RATE, SAME_TIME, TURNS_WITHIN};
 use crate::vector::Vector;
+
+/// Time, s, within which a margin that comes to zero counts as zero: the accuracy of event times.
+const AT_ONCE: f64 = 1e-10;
+/// Largest marginal value, as a fraction of its terms, near a pose at which a row has no direction: rates have no bound there.
+const MOST_MARGINAL: f64 = 1e-4;
+/// Relative difference of the derivatives of two event times below which the events coincide on either side.
+const SAME: f64 = 1e-6;
+/// Such a pose is near if the diagonal entry of D changes by its own size within this time, s.
+const TURNS_WITHIN: f64 = 1e-6;
+/// Rate of a margin, as a fraction of its terms, below which it is zero.
+const NO_RATE: f64 = 1e-9;
 
 /// True if a gap of this rate closes after the event at this time, or not at all; for numbers with one-sided derivatives. Smaller
 /// differences of times are rounding.
 pub(super) fn is_later<S: Real>((gap, rate): (S, S), time: S, length: S) -> bool {
     let (Some(opens), Some(moved)) = (gap.goes(), time.goes()) else { return false };
-    opens > SAME_TIME.get() * ((rate.to_f64() * moved).abs() + S::PRECISION * length.to_f64())
+    opens > SAME * ((rate.to_f64() * moved).abs() + S::PRECISION * length.to_f64())
 }
 
 /// The margins that are negative, or zero and falling.
@@ -42,15 +52,15 @@ pub(super) fn broken<S: Real, const N: usize>(
         };
         let (value, terms) = (value * to_acceleration, terms * to_acceleration);
         let (slope, size) = (margin.tangents[0], size(rows, i, &lambda));
-        let at_once = AT_ONCE.of::<S>() * slope.abs();
+        let at_once = S::lit(AT_ONCE) * slope.abs();
         // Terms that are sums of large ones may be small, as for a point that leaves a sphere.
-        let turns = TURNS_WITHIN.of::<S>() * own.tangents[0].abs() >= own.value.abs();
-        let at_once = if turns { at_once.min(MOST_MARGINAL.of::<S>() * terms) } else { at_once };
-        let none = (MARGINAL.of::<S>() * terms).max(at_once);
+        let turns = S::lit(TURNS_WITHIN) * own.tangents[0].abs() >= own.value.abs();
+        let at_once = if turns { at_once.min(S::lit(MOST_MARGINAL) * terms) } else { at_once };
+        let none = (S::lit(MARGINAL) * terms).max(at_once);
         let is_marginal = value <= none && value >= -none;
-        let is_met = value > none || is_marginal && slope >= -NO_RATE.of::<S>() * size;
+        let is_met = value > none || is_marginal && slope >= -S::lit(NO_RATE) * size;
         // Numbers with one-sided derivatives leave the limit before time advances.
-        let way = value.goes().filter(|way| is_marginal && way.abs() > MARGINAL.get() * terms.to_f64());
+        let way = value.goes().filter(|way| is_marginal && way.abs() > MARGINAL * terms.to_f64());
         way.map_or(!is_met, |way| way < 0.0)
     })
 }

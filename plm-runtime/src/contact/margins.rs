@@ -6,13 +6,17 @@ use super::modes::{Mode, Modes};
 use super::multipliers::{Multipliers, multipliers};
 use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
-use crate::tolerances::{NO_BOUND, UNIQUE};
 
 /// Number of margins of each row. A friction that sticks has two, for the limits on both sides; the third one is for the sign of the
 /// reaction with the number of the row.
 pub const PER_ROW: usize = 3;
 /// Index of the third margin.
 pub(super) const SIGN: usize = 2;
+
+/// Least determinant, relative to that when the modes were chosen, that a slip may lead to: nearer to zero unbounded forces are rounding.
+pub(super) const UNIQUE: f64 = 1e-8;
+/// A friction without a force gets one if its bound, N or N m, exceeds the inverse of this number.
+const NO_BOUND: f64 = 1e12;
 
 /// Number of guards of `rows` contact rows: three each, and the determinant of the active rows.
 #[must_use]
@@ -45,7 +49,7 @@ pub(super) fn each_margin<T: Scalar, const N: usize>(
             _ if modes.is_carried(row) => [leaves(rows, modes, row), far],
             Mode::Open => [rows.gap[row], far],
             Mode::Closed => [lambda[row], far],
-            Mode::Off => [far - NO_BOUND.of::<T>() * bound(rows, row, lambda), far],
+            Mode::Off => [far - T::lit(NO_BOUND) * bound(rows, row, lambda), far],
             Mode::Sticks => stick(rows, row, lambda),
             Mode::Forwards | Mode::Backwards => [mode.sign::<T>() * rows.rate[row], far],
         };
@@ -57,7 +61,7 @@ pub(super) fn each_margin<T: Scalar, const N: usize>(
         let is_read = matches!(rows.load[load], Load::Line { .. }) && indices::<N>().any(bounds);
         each(PER_ROW * load + SIGN, if is_read { rows.size(load, lambda) } else { far });
     }
-    let least = if modes.of.iter().any(|mode| mode.slips()) { UNIQUE.get() } else { 0.0 };
+    let least = if modes.of.iter().any(|mode| mode.slips()) { UNIQUE } else { 0.0 };
     each(PER_ROW * N, orientation * *determinant - T::lit(least));
 }
 

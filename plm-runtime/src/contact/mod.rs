@@ -65,8 +65,10 @@ pub use self::sunk::appear;
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Health, Rate, System};
-use crate::tolerances::ACCELERATION_ROUNDED;
 use crate::vector::Vector;
+
+/// Roundings within which free accelerations and those of contact forces balance.
+const BALANCE_ULPS: f64 = 32.0;
 
 /// A system with `N` contact rows. Its discrete state has their [`Modes`].
 pub trait Contacts<const N: usize>: System<S: Real, U: Modal<<Self as Rate>::S, N>> {
@@ -235,7 +237,7 @@ fn without_noise<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &Modes<T, 
     let lambda = lambda_of(rows, modes);
     let sizes: [T; N] = Vector::from_fn(|i| lambda[i].abs() * rows.delassus[i][i].sqrt());
     let largest = sizes.iter().fold(T::ZERO, |largest, size| largest.max(*size));
-    let least = T::lit(ACCELERATION_ROUNDED.get() * T::PRECISION) * largest;
+    let least = T::lit(BALANCE_ULPS * T::PRECISION) * largest;
     // NaN stays NaN.
     Vector::from_fn(|i| T::select(sizes[i].lt(least), lambda[i].as_zero(), lambda[i]))
 }
@@ -294,7 +296,7 @@ fn apart(number: usize) -> f64 {
 
 /// An acceleration; zero if it is rounding of contact forces of this size.
 fn balanced<T: Scalar>(sum: T, size: T) -> T {
-    let none = T::lit(ACCELERATION_ROUNDED.get() * T::PRECISION) * size;
+    let none = T::lit(BALANCE_ULPS * T::PRECISION) * size;
     T::select(sum.abs().lt(none), sum.as_zero(), sum)
 }
 

@@ -9,11 +9,25 @@ use super::loads::Load;
 use super::modes::Mode;
 use super::rows::{Limit, Rows, below, indices};
 use crate::scalar::Scalar;
-use crate::tolerances::{
-    FIRST_SWEEPS, FORCE_STEPS, FORCE_STEPS_BEHIND, PIVOT_DEPENDENT, PIVOT_LARGE, SWEPT, SWEPT_ROUNDED,
-    UNIT_VECTOR_FOUND,
-};
 use crate::vector::Vector;
+
+/// A row depends on others if its pivot is below this fraction of its largest entry.
+const DEPENDENT: f64 = 1e-10;
+/// Most steps of Newton's method; from a cold start it takes three or four.
+const MOST_STEPS: u32 = 12;
+/// Change of the unit vectors below which multipliers have converged, since the error of a size is of second order in that of its unit
+/// vector. Derivatives converge a few steps later.
+const NEAR: f64 = 1e-8;
+/// Newton steps after that, for derivatives.
+const BEHIND: u32 = 2;
+/// Sweeps before the Newton steps: with a friction of a hundredth of that which would lock a joint, one Newton step is left.
+const SWEEPS: u32 = 4;
+/// Change of the forces, in roundings of the largest one, at which sweeps end.
+const ROUNDED: f64 = 2.0;
+/// Largest ratio of the changes of two successive sweeps.
+const SWEPT: f64 = 0.5;
+/// A diagonal entry of at least this fraction of the largest entry of its row is a pivot without a search for a larger one.
+const PIVOT: f64 = 0.5;
 
 /// Multipliers, and the determinant of their system; that of no row is 1.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +53,7 @@ pub(super) fn multipliers<T: Scalar, const N: usize>(
     rows: &Rows<T, N>,
     modes: &[Mode; N],
 ) -> Option<Multipliers<T, N>> {
-    multipliers_above(rows, modes, PIVOT_DEPENDENT.get())
+    multipliers_above(rows, modes, DEPENDENT)
 }
 
 /// Multipliers for a rate. If a slip takes the determinant to zero they are large, but numbers: a guard ends the step there.
@@ -48,7 +62,7 @@ pub(super) fn multipliers_of_rate<T: Scalar, const N: usize>(
     modes: &[Mode; N],
 ) -> Option<Multipliers<T, N>> {
     let slips = modes.iter().any(|mode| mode.slips());
-    multipliers_above(rows, modes, if slips { 0.0 } else { PIVOT_DEPENDENT.get() })
+    multipliers_above(rows, modes, if slips { 0.0 } else { DEPENDENT })
 }
 
 /// Multipliers, if every pivot is above the fraction `least` of its row.
@@ -59,7 +73,7 @@ fn multipliers_above<T: Scalar, const N: usize>(
 ) -> Option<Multipliers<T, N>> {
     let mut directions = directions(rows, modes, &first(rows, modes));
     let slide = !modes.iter().any(|mode| mode.holds());
-    let (mut left, mut newton) = (FORCE_STEPS, 0);
+    let (mut left, mut newton) = (MOST_STEPS, 0);
     while left > 0 {
         left -= 1;
         let mut system = System::of(rows, (modes, &directions));
@@ -69,11 +83,11 @@ fn multipliers_above<T: Scalar, const N: usize>(
         let apart = |(one, other): (&T, &T)| (one.to_f64() - other.to_f64()).abs();
         let changes = directions.as_flattened().iter().zip(next.as_flattened()).map(apart);
         let change = changes.fold(0.0, f64::max);
-        if change == 0.0 || change <= UNIT_VECTOR_FOUND.get() && (left == 0 || !T::HAS_DERIVATIVES) {
+        if change == 0.0 || change <= NEAR && (left == 0 || !T::HAS_DERIVATIVES) {
             return Some(found);
         }
-        if change <= UNIT_VECTOR_FOUND.get() {
-            left = left.min(FORCE_STEPS_BEHIND);
+        if change <= NEAR {
+            left = left.min(BEHIND);
         }
         directions = next;
         newton += 1;
@@ -89,14 +103,14 @@ pub(super) fn multipliers_along<T: Scalar, const N: usize>(
 ) -> Option<Multipliers<T, N>> {
     let slide = !modes.iter().any(|mode| mode.holds());
     let mut system = System::of(rows, (modes, directions));
-    let determinant = system.eliminate((slide, PIVOT_DEPENDENT.get()))?;
+    let determinant = system.eliminate((slide, DEPENDENT))?;
     Some(Multipliers { lambda: system.substitute(), determinant, newton: 0 })
 }
 
 /// Multipliers at which Newton's method begins: those of slipping rows by sweeps of C. F. Gauss and L. Seidel, which cost a fraction of a
 /// step. A friction changes the reactions that bound it little.
 fn first<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N]) -> [T; N] {
-    swept(rows, modes, FIRST_SWEEPS).unwrap_or([T::ZERO; N])
+    swept(rows, modes, SWEEPS).unwrap_or([T::ZERO; N])
 }
 
 /// Forces of rows if every row with a force slips, by sweeps until only rounding changes; `None` if sweeps do not apply or converge
@@ -121,11 +135,11 @@ fn swept<T: Scalar, const N: usize>(rows: &Rows<T, N>, modes: &[Mode; N], sweeps
                 lambda[i] = force;
             }
         }
-        if change <= SWEPT_ROUNDED.get() * T::PRECISION * size {
+        if change <= ROUNDED * T::PRECISION * size {
             break;
         }
         // Sweeps do not converge if frictions lock each other. False for NaN.
-        let converges = change <= SWEPT.get() * before;
+        let converges = change <= SWEPT * before;
         if !converges {
             return None;
         }
@@ -187,8 +201,7 @@ impl<T: Scalar, const N: usize> System<T, N> {
         for k in 0..order {
             let mut pivot = k;
             // False for NaN.
-            let is_large =
-                slide && self.rows[k][k].to_f64().abs() >= PIVOT_LARGE.get() * sizes[k] && sizes[k] > 0.0;
+            let is_large = slide && self.rows[k][k].to_f64().abs() >= PIVOT * sizes[k] && sizes[k] > 0.0;
             if !is_large {
                 let mut largest = ratio(self.rows[k][k], sizes[k]);
                 for i in k + 1..order {

@@ -5,17 +5,17 @@
 //! Painlevé paradoxes, European Journal of Mechanics A 18, 1999). With several contacts p is the determinant of all active rows over
 //! that of the constraint rows.
 
+use super::margins::UNIQUE;
 use super::modes::{Mode, Modes};
 use super::multipliers::{Multipliers, equation, multipliers};
 use super::rows::{Rows, below, indices};
 use crate::scalar::Real;
-use crate::tolerances::UNIQUE;
 
 /// The row without a unique force, and p, if the determinant of the active rows has come to zero. `None` if it has not, or not
 /// because of a slip: constraint rows may depend on each other too.
 pub(super) fn lost<S: Real, const N: usize>(rows: &Rows<S, N>, modes: &Modes<S, N>) -> Option<(usize, S)> {
     let (of, orientation) = (&modes.of, modes.orientation);
-    let is_there = |all: Multipliers<S, N>| orientation * all.determinant >= UNIQUE.of::<S>();
+    let is_there = |all: Multipliers<S, N>| orientation * all.determinant >= S::lit(UNIQUE);
     if !of.iter().any(|mode| mode.slips()) || multipliers(rows, of).is_some_and(is_there) {
         return None;
     }

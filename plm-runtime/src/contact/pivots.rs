@@ -14,7 +14,13 @@ use super::modes::Mode;
 use super::rows::{Rows, below, indices};
 use crate::linalg::Lu;
 use crate::scalar::Real;
-use crate::tolerances::{LEMKE_EQUAL, MOST_DIRECTIONS, MOST_EXCHANGES};
+
+/// Difference, relative to the largest number, below which numbers are equal; pivots are larger.
+const EQUAL: f64 = 1e-11;
+/// Most exchanges for each pair.
+const MOST_EXCHANGES: usize = 20;
+/// Most corrections of the directions of reactions in the plane.
+const MOST_DIRECTIONS: u32 = 4;
 
 /// The modes that the method finds; `None` if it ends without a solution. Each `attempt` has another d, and so another path.
 pub(super) fn pivoted<S: Real, const N: usize>(
@@ -211,7 +217,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
     /// Exchanges variables until s is zero; `None` if that does not end, or ends on a ray.
     fn solve(&mut self) -> Option<()> {
         let size = self.lines().fold(S::ZERO, |size, line| size.max(line.right.abs()));
-        let none = LEMKE_EQUAL.of::<S>() * size;
+        let none = S::lit(EQUAL) * size;
         if self.lines().all(|line| line.right >= -none) {
             return Some(());
         }
@@ -235,7 +241,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
 
     /// The line whose variable falls to zero first while that of a column grows.
     fn leaving(&self, column: Column, none: S) -> Option<(usize, usize)> {
-        let falls = |place: &(usize, usize)| self.line(*place).at(column) < -LEMKE_EQUAL.of::<S>();
+        let falls = |place: &(usize, usize)| self.line(*place).at(column) < -S::lit(EQUAL);
         self.places().filter(falls).reduce(|first, next| {
             let (a, b) = (self.line(first), self.line(next));
             let (slope, other) = (-a.at(column), -b.at(column));
@@ -263,7 +269,7 @@ impl<S: Real, const N: usize> Tableau<S, N> {
                 None => S::ZERO,
             };
             let apart = of(one) / slope - of(than) / other;
-            if apart.abs() > LEMKE_EQUAL.of::<S>() {
+            if apart.abs() > S::lit(EQUAL) {
                 return apart < S::ZERO;
             }
         }

@@ -7,9 +7,13 @@ use super::{Contacts, Modal, moved};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
-use crate::tolerances;
-use crate::tolerances::ROW_STEPS;
 use crate::vector::Vector;
+
+/// Most Newton steps for positions.
+const MOST_STEPS: u32 = 4;
+/// Drift of the joints that a step may leave, as a fraction of the typical coordinate and velocity; at least the resolution of the
+/// scalar.
+const DRIFT: f64 = 1e-10;
 
 /// Removes the rates of constraint rows from the velocities; `rows` are those of the state.
 pub(super) fn stop<M: Contacts<N>, const N: usize>(
@@ -75,7 +79,8 @@ pub fn project<M: Contacts<N>, const N: usize>(
         let rows = system.rows_at(t, u, x);
         let away = away::<M, N>(&rows.gap, u);
         let are_near = away.iter().all(|z| z.abs() <= M::S::EPSILON * system.length());
-        let multipliers = if are_near || steps == ROW_STEPS { None } else { held(&rows, u.modes().of, away) };
+        let multipliers =
+            if are_near || steps == MOST_STEPS { None } else { held(&rows, u.modes().of, away) };
         let Some(multipliers) = multipliers else {
             stop(system, (t, u, &rows), x);
             return Ok(());
@@ -99,7 +104,7 @@ pub(super) fn joints_after_step<M: Contacts<N>, const N: usize>(
     x: &mut M::X,
 ) -> Result<(), Fault> {
     let drift = system.drift_of_joints(t, u, x);
-    let (typical, tolerance) = (system.typical(), tolerances::drift::<M::S>());
+    let (typical, tolerance) = (system.typical(), M::S::lit(DRIFT).max(M::S::lit(64.0) * M::S::EPSILON));
     let largest = |from: usize| (from..from + M::NQ).fold(M::S::ZERO, |size, i| typical.at(i).max(size));
     // False for NaN.
     let is_near = drift.phi <= tolerance * largest(0) && drift.phi_dot <= tolerance * largest(M::NQ);

@@ -3,7 +3,6 @@
 use super::loads::{Affine, Load};
 use super::modes::Mode;
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{CANCELLED, SLOW_ROW};
 use crate::vector::Vector;
 
 /// Index of a row or of a reaction, visibly below `N` for the compiler too: an array that it indexes needs no check.
@@ -148,6 +147,11 @@ pub struct Rows<T, const N: usize> {
     pub read: [[bool; N]; N],
 }
 
+/// A row at rest is slower than this fraction of the fastest one.
+const SLOW: f64 = 1e-3;
+/// A diagonal entry of D is rounding of terms that cancel below this fraction of the largest one, for a length of at least 1 m.
+const CANCELLED: f64 = 1e-13;
+
 impl<T: Real, const N: usize> Rows<T, N> {
     /// True if the rate w v of a row is zero because its direction w is, as that of a slider in its dead centre, while others slip faster
     /// than `none`. The speed along w, |w v|/sqrt(w M^-1 w^T), is then comparable with theirs, unless D is rounding alone. Contact forces
@@ -158,12 +162,12 @@ impl<T: Real, const N: usize> Rows<T, N> {
         let speed = |i: usize| self.rate[i].abs() / own(i).sqrt();
         let slips = |i: &usize| self.rate[*i].abs() > none;
         let largest = indices::<N>().filter(slips).fold(T::ZERO, |largest, i| largest.max(own(i)));
-        let cancelled = CANCELLED.of::<T>() * largest * (length * length).min(T::lit(1.0));
+        let cancelled = T::lit(CANCELLED) * largest * (length * length).min(T::lit(1.0));
         // A driven row has nothing but rounding there, of either sign.
         let moves = |i: &usize| slips(i) && own(*i) > cancelled;
         let fastest = indices::<N>().filter(moves).fold(T::ZERO, |fastest, i| fastest.max(speed(i)));
         let slides = indices::<N>().any(|i| slips(&i));
-        slides && own(row) <= cancelled || fastest > T::ZERO && speed(row) > SLOW_ROW.of::<T>() * fastest
+        slides && own(row) <= cancelled || fastest > T::ZERO && speed(row) > T::lit(SLOW) * fastest
     }
 }
 
@@ -236,7 +240,7 @@ impl<T: Scalar, const N: usize> Rows<T, N> {
     pub(super) fn is_cancelled(&self, row: usize, length: f64) -> bool {
         let own = |i: usize| self.delassus[i][i].to_f64();
         let largest = indices::<N>().fold(0.0, |largest: f64, i| largest.max(own(i)));
-        own(below::<N>(row)) <= CANCELLED.get() * largest * (length * length).min(1.0)
+        own(below::<N>(row)) <= CANCELLED * largest * (length * length).min(1.0)
     }
 
     /// Acceleration of a row with these multipliers.

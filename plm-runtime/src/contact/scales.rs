@@ -5,8 +5,10 @@ use super::rows::{Rows, indices};
 use super::{Contacts, Modal};
 use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{RATE_ROUNDED, VELOCITY_ROUNDED};
 use crate::vector::Vector;
+
+/// Rate, in roundings of the largest one before the impacts of the event, below which it is zero.
+const RATE_ULPS: f64 = 4096.0;
 
 /// Speed that the accelerations of the rows give over the length of the mechanism.
 pub(super) fn speed<M: Contacts<N>, const N: usize>(system: &M, rows: &Rows<M::S, N>, u: &M::U) -> M::S {
@@ -22,13 +24,16 @@ pub(super) fn acceleration<M: Contacts<N>, const N: usize>(rows: &Rows<M::S, N>,
     })
 }
 
+/// Rounding of velocities, in units in the last place.
+const VELOCITY_ULPS: f64 = 16.0;
+
 /// Error of the rates by rounding of the velocities: if bodies move on together, rates are small differences of large velocities.
 pub(super) fn rounding_of_velocities<M: Contacts<N>, const N: usize>(
     system: &M,
     (t, u): (M::S, &M::U),
     x: &M::X,
 ) -> M::S {
-    let ulps = VELOCITY_ROUNDED.of::<M::S>() * M::S::EPSILON;
+    let ulps = M::S::lit(VELOCITY_ULPS) * M::S::EPSILON;
     let rounded = |i: usize| {
         let is_velocity = (M::NQ..2 * M::NQ).contains(&i);
         let size = if is_velocity { ulps * x.at(i).abs() } else { M::S::ZERO };
@@ -42,5 +47,5 @@ pub(super) fn rounding_of_velocities<M: Contacts<N>, const N: usize>(
 /// Rounding of the rates.
 pub(super) fn rounding<S: Real, const N: usize>(rows: &Rows<S, N>) -> S {
     let largest = rows.rate.iter().fold(S::ZERO, |largest, rate| largest.max(rate.abs()));
-    RATE_ROUNDED.of::<S>() * S::EPSILON * largest
+    S::lit(RATE_ULPS) * S::EPSILON * largest
 }

@@ -1,11 +1,16 @@
 //! Signs of the reactions along lines that bound frictions: each |R| is replaced by R or by -R, and R must have that sign.
 
+use super::candidates::MARGINAL;
 use super::loads::Load;
 use super::modes::Mode;
 use super::multipliers::{Multipliers, multipliers};
 use super::rows::{Rows, indices};
 use crate::scalar::Real;
-use crate::tolerances::{MARGINAL, MOST_SIGNS, MOST_TURNS};
+
+/// Most changes of single signs, for each reaction along a line.
+const MOST_TURNS: usize = 2;
+/// Most reactions along lines for which all combinations of signs are tried.
+const MOST_SIGNS: usize = 10;
 
 /// Multipliers of a combination; and the rows with the signs that the reactions then have, if these differ from the assumed ones.
 pub(super) fn signed<S: Real, const N: usize>(
@@ -35,7 +40,7 @@ fn wrong_sign<S: Real, const N: usize>(
     Multipliers { lambda, .. }: &Multipliers<S, N>,
 ) -> Option<usize> {
     indices::<N>().find(|load| {
-        let none = MARGINAL.of::<S>() * rows.terms(*load, lambda);
+        let none = S::lit(MARGINAL) * rows.terms(*load, lambda);
         matches!(rows.load[*load], Load::Line { .. }) && rows.size(*load, lambda) < -none
     })
 }

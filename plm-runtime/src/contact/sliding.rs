@@ -2,7 +2,13 @@
 
 use super::modes::Modes;
 use crate::scalar::Scalar;
-use crate::tolerances::{MOST_SWEEPS, SWEPT, SWEPT_ROUNDED};
+
+/// Most sweeps. With a friction of a hundredth of that which would lock a joint five are needed.
+const MOST: u32 = 30;
+/// Change of the accelerations by the next sweep, in roundings, at which sweeps end.
+const ROUNDED: f64 = 2.0;
+/// Largest ratio of the changes of two successive sweeps.
+const SWEPT: f64 = 0.5;
 
 /// Signs of the slips of the rows, and stored signs of the reactions along a line; `None` if some row is a constraint, and for numbers
 /// with derivatives, which need Newton's method.
@@ -32,7 +38,7 @@ pub fn slide<T: Scalar, const N: usize, const M: usize>(
     }
     let (mut force, mut second) = ([T::ZERO; N], free);
     let (mut before, mut rounded) = (f64::INFINITY, 0.0);
-    for sweeps in 0..MOST_SWEEPS {
+    for sweeps in 0..MOST {
         let (mut next, mut changed) = ([T::ZERO; N], free);
         sweep(&force, &second, &mut next, &mut changed);
         let change = square(weights, |k| (changed[k] - second[k]).to_f64());
@@ -41,14 +47,14 @@ pub fn slide<T: Scalar, const N: usize, const M: usize>(
             return Some((force, second));
         }
         if sweeps == 0 {
-            let ulps = SWEPT_ROUNDED.get() * T::PRECISION;
+            let ulps = ROUNDED * T::PRECISION;
             rounded = ulps * ulps * (square(weights, |k| free[k].to_f64()) + change);
         } else if change * change <= rounded * before || change <= rounded {
             // The next change would be to this one as this one is to the one before. Changes below rounding need not decrease.
             return Some((force, second));
         }
         // False for NaN.
-        let converges = change <= SWEPT.get() * SWEPT.get() * before;
+        let converges = change <= SWEPT * SWEPT * before;
         if !converges {
             return None;
         }

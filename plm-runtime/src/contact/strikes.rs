@@ -7,8 +7,12 @@ use super::rows::{Law, Rows, below, indices};
 use super::{Contacts, moved};
 use crate::fault::{Cause, Fault};
 use crate::scalar::Scalar;
-use crate::tolerances::{MOST_IMPACTS, MOST_PAIRS};
 use crate::vector::Vector;
+
+/// Most successive impacts.
+const MOST_IMPACTS: u32 = 30;
+/// Most successive impacts of pairs.
+const MOST_PAIRS: u32 = 1000;
 
 impl<M: Contacts<N>, const N: usize> Event<'_, M, N> {
     /// Solves impacts of all rows that touch, until none approaches faster than a row at rest may, or than `slowest`. The rows become

@@ -1,10 +1,10 @@
 //! Penetration: gaps that are negative where a row begins to exist.
 
 use super::Contacts;
+use super::event::CLOSED;
 use super::rows::{below, indices};
 use crate::fault::{Cause, Fault};
 use crate::scalar::Scalar;
-use crate::tolerances::{CONSTRAINT_LED, GAP_CLOSED};
 
 /// Checks the rows that begin to exist by an event.
 ///
@@ -19,6 +19,9 @@ pub fn appear<M: Contacts<N>, const N: usize>(
     above((system, t), u, x, |row| !existed[below::<N>(row)])
 }
 
+/// Gap, as a fraction of the length of the mechanism, up to which a constraint that begins to exist is led back. Starts are rounded.
+const ROUNDED: f64 = 1e-4;
+
 /// Checks that the gaps of the rows selected by `of` are not negative, and that constraints among them are closed.
 pub(super) fn above<M: Contacts<N>, const N: usize>(
     (system, t): (&M, M::S),
@@ -32,7 +35,7 @@ pub(super) fn above<M: Contacts<N>, const N: usize>(
     }
     let rows = system.rows_at(t, u, x);
     let gap = |row: usize| rows.gap[below::<N>(row)];
-    let is_open = |row: &usize| gap(*row).abs() > CONSTRAINT_LED.of::<M::S>() * system.length();
+    let is_open = |row: &usize| gap(*row).abs() > M::S::lit(ROUNDED) * system.length();
     if let Some(row) =
         indices::<N>().filter(is_new).filter(|row| system.law(*row).is_constraint()).find(is_open)
     {
@@ -41,7 +44,7 @@ pub(super) fn above<M: Contacts<N>, const N: usize>(
     }
     let is_asked = |row: &usize| is_new(row) && system.law(*row).is_unilateral();
     let deepest = indices::<N>().filter(is_asked).reduce(|a, b| if gap(b) < gap(a) { b } else { a });
-    match deepest.filter(|row| gap(*row) < -GAP_CLOSED.of::<M::S>() * system.length()) {
+    match deepest.filter(|row| gap(*row) < -M::S::lit(CLOSED) * system.length()) {
         Some(row) => {
             let cause = Cause::Sunk { by: -gap(row).to_f64() };
             Err(Fault::of_part(t.to_f64(), system.contact_name(row), cause))

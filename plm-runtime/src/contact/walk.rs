@@ -6,7 +6,12 @@ use super::modes::Mode;
 use super::pivots::pivoted;
 use super::rows::Rows;
 use crate::scalar::Real;
-use crate::tolerances::{WALK_STEPS, WALKS};
+
+/// Most combinations, for each row that may have several modes.
+const MOST_STEPS: usize = 3;
+
+/// Most starts by pivots.
+const MOST_ATTEMPTS: u32 = 5;
 
 /// A combination that violates no inequality, from one of several starts.
 #[inline(never)]
@@ -15,7 +20,7 @@ pub(super) fn walk<S: Real, const N: usize>(
     allowed: &[Allowed; N],
     mut broken: impl FnMut(&Solution<S, N>, &Margins<S, N>) -> [bool; N],
 ) -> Found<S, N> {
-    let found = (0..WALKS).find_map(|attempt| walked(rows, allowed, (attempt, &mut broken)));
+    let found = (0..MOST_ATTEMPTS).find_map(|attempt| walked(rows, allowed, (attempt, &mut broken)));
     found.map_or(Found::TooMany, |solution| Found::Modes(solution, false))
 }
 
@@ -28,7 +33,7 @@ fn walked<S: Real, const N: usize>(
     let modes = pivoted(rows, allowed, attempt)?;
     let mut next = solve(rows, allowed, settled(rows, allowed, modes));
     let free = allowed.iter().filter(|row| !matches!(row, Allowed::Only(_))).count();
-    for _ in 0..WALK_STEPS * free {
+    for _ in 0..MOST_STEPS * free {
         let (solution, margins) = next?;
         let broken = broken(&solution, &margins);
         let Some(first) = broken.iter().position(|is_broken| *is_broken) else {

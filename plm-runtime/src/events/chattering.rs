@@ -1,6 +1,6 @@
 //! Chattering: conditions that switch repeatedly within a short window.
 
-use super::rates::rates;
+use super::boundary::rates;
 use super::relevant::bit;
 use super::rounding::rounding;
 use super::{guards, is_of_state};
@@ -8,8 +8,22 @@ use crate::fault::{Cause, Fault, Names};
 use crate::method::Context;
 use crate::scalar::Real;
 use crate::system::System;
-use crate::tolerances::{CHATTERING, CHATTERING_ROUNDED, MOST_FLIGHTS, MOST_SWITCHES, UNSEEN, UNSEEN_FOR};
 use crate::vector::Vector;
+
+/// Most switches of conditions within a short time; more end the run.
+const MOST_SWITCHES: u32 = 100;
+/// That short time, as a fraction of the longest step so far, ...
+const SHORT: f64 = 1e-6;
+/// ... and at least so many units in the last place of the time.
+const SHORT_ULPS: f64 = 1000.0;
+/// Switches of conditions whose guards stay within so many times their rounding in between also count, however long they take, ...
+const UNSEEN: f64 = 1e3;
+/// ... up to this fraction of the longest step, or of the time to the end of the interval if that is longer.
+const UNSEEN_FOR: f64 = 0.01;
+
+/// Number of such switches after which flights accumulate, if conditions have thrown the state back: only rounding lets the next one pass,
+/// and the run ends there.
+const FLIGHTS: u32 = 8;
 
 /// Window of the present chattering.
 #[derive(Clone, Copy, Debug)]
@@ -39,8 +53,7 @@ impl<S: Real> Chattering<S> {
         let switched = switched + thrown;
         context.stats.switches += u64::from(switched);
         let time = context.time;
-        let short = (CHATTERING.of::<S>() * *context.longest_step)
-            .max(CHATTERING_ROUNDED.of::<S>() * S::EPSILON * time.abs());
+        let short = (S::lit(SHORT) * *context.longest_step).max(S::lit(SHORT_ULPS) * S::EPSILON * time.abs());
         let is_over = time - self.since > short && !self.is_unseen(context, conditions);
         // A switch above rounding between others below it, as of the speed of a ball at the top of such a flight, does not belong to them.
         if is_over && time > self.since && self.is_unseen(context, self.conditions) {
@@ -49,7 +62,7 @@ impl<S: Real> Chattering<S> {
         if is_over || time < self.since {
             *self = Self { since: time, count: 0, conditions: 0, has_thrown: false };
         }
-        let passes = self.has_thrown && switched > 0 && thrown == 0 && self.count >= MOST_FLIGHTS;
+        let passes = self.has_thrown && switched > 0 && thrown == 0 && self.count >= FLIGHTS;
         let is_end = passes && self.is_unseen(context, conditions);
         self.count = self.count.saturating_add(switched);
         self.conditions |= conditions;
@@ -71,13 +84,13 @@ impl<S: Real> Chattering<S> {
         let longest = context.longest_step.max(context.end - self.since);
         let system = context.system;
         let among = |i: &usize| conditions & bit(*i) != 0 && is_of_state(system, *i);
-        if elapsed > UNSEEN_FOR.of::<S>() * longest || self.count == 0 || !(0..M::G::LEN).any(|i| among(&i)) {
+        if elapsed > S::lit(UNSEEN_FOR) * longest || self.count == 0 || !(0..M::G::LEN).any(|i| among(&i)) {
             return false;
         }
         let Some(slopes) = rates(context) else { return false };
         let here = guards(context.system, time, &context.held, &x);
         let noise = rounding((context.system, &context.held), (time, time), &x, &here);
-        let most = S::lit(UNSEEN.get() * f64::from(self.count));
+        let most = S::lit(UNSEEN * f64::from(self.count));
         (0..M::G::LEN).filter(among).any(|i| elapsed * slopes.at(i).abs() <= most * noise.at(i))
     }
 }

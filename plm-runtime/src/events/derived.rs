@@ -6,15 +6,25 @@
 //! approximation of a periodic solution of a system of differential equations with discontinuous right-hand sides, Q. J. Mech. Appl. Math.
 //! 11, 1958).
 
+use super::boundary::rates_of_both;
 use super::guards;
-use super::rates::rates_of_both;
 use super::rounding::rounding;
 use crate::fault::{Cause, Fault};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tolerances::{BEND_APART, GRAZES, ON_BOUNDARY, SAME_TIME, TIME_CORRECTIONS};
 use crate::vector::Vector;
+
+/// Corrections of the time: slopes of guards that are difference quotients have half of all digits, so that one is not enough.
+const CORRECTIONS: usize = 2;
+/// A guard, or its change, counts as zero up to so many times its rounding.
+const MANY: f64 = 1e3;
+/// A guard that goes beyond its boundary by at most so many times its rounding touches it.
+const GRAZE: f64 = 8.0;
+/// Distance before the end of a step, as a fraction of it, at which a second slope gives the second derivative of a guard.
+const BACK: f64 = 1e-3;
+/// Relative difference of derivatives below which two event times are equal.
+const SAME: f64 = 1e-6;
 
 /// Result of [`derive_time`].
 pub(super) enum Timed<S> {
@@ -45,7 +55,7 @@ pub(super) fn derive_time<M: System<S: Real>>(
         Time::OfAnother => return Ok(Timed::Event(index, moved)),
         Time::Never(depth) => return Ok(Timed::Touch(-depth)),
     };
-    for _ in 0..TIME_CORRECTIONS {
+    for _ in 0..CORRECTIONS {
         let here = guards(context.system, context.time, &context.held, &context.x);
         let Some((rate, slopes)) = rates_of_both(context) else { break };
         let ahead = time_to(&here, &slopes, index);
@@ -92,7 +102,7 @@ fn own_time<M: System<S: Real>>(
     let here = guards(context.system, time, &context.held, &x);
     let Some((rate, slopes)) = rates_of_both(context) else { return Ok(Time::OfAnother) };
     let rounded = rounding((context.system, &context.held), (time, time), &x, &here);
-    let noise = |i: usize| ON_BOUNDARY.of::<M::S>() * rounded.at(i);
+    let noise = |i: usize| M::S::lit(MANY) * rounded.at(i);
     let falls = |i: usize, within: M::S| -(within * slopes.at(i)) > noise(i);
     let vanishes = |i: usize| here.at(i).abs() <= noise(i);
     let fault = |context: &Context<'_, M>, index: usize, cause| {
@@ -105,7 +115,7 @@ fn own_time<M: System<S: Real>>(
         return Ok(if has_come { own(index) } else { Time::OfAnother });
     }
     let meets = |i: &usize| *i != index && vanishes(*i) && falls(*i, step);
-    let differs = |i: &usize| !of_all(index).has_derivatives_of(of_all(*i), SAME_TIME.get());
+    let differs = |i: &usize| !of_all(index).has_derivatives_of(of_all(*i), SAME);
     let mut first = index;
     if let Some(other) = (0..M::G::LEN).filter(meets).find(differs) {
         let is_sooner = |i: usize, first: usize| of_all(i).goes() < of_all(first).goes();
@@ -115,7 +125,7 @@ fn own_time<M: System<S: Real>>(
         let others = (0..M::G::LEN).filter(meets);
         first = others.fold(index, |first, i| if is_sooner(i, first) { i } else { first });
     }
-    let depth = GRAZES.of::<M::S>() * rounded.at(first);
+    let depth = M::S::lit(GRAZE) * rounded.at(first);
     if grazes(context, (first, step), (&rate, &slopes), depth) {
         return match here.at(first).goes() {
             Some(away) if away > 0.0 => Ok(Time::Never(depth + depth)),
@@ -139,7 +149,7 @@ fn grazes<M: System<S: Real>>(
     noise: M::S,
 ) -> bool {
     let (time, x, slope) = (context.time, context.x, slopes.at(index));
-    let back = BEND_APART.of::<M::S>() * step;
+    let back = M::S::lit(BACK) * step;
     (context.time, context.x) = (time - back, x.map2(rate, |x, rate| x - back * rate));
     let before = rates_of_both(context);
     (context.time, context.x) = (time, x);

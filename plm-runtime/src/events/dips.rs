@@ -2,16 +2,20 @@
 //! guards are zero there and leave zero slowly, as the square of the time. The dense output of an implicit step has an error of its
 //! tolerance, and may go to the other side first. The rate at the beginning of the step is more accurate.
 
+use super::boundary::rates;
 use super::history::Reached;
-use super::rates::rates;
 use super::rounding::rounding;
 use super::thrown::is_of_state;
 use super::{Detector, guards};
 use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tolerances::{DIP_CONTRADICTED, finest};
 use crate::vector::Vector;
+
+/// First part of a step at which the guard is evaluated, and then at each double of it.
+const FIRST: f64 = 1.0 / 4_194_304.0;
+/// The rate at the beginning contradicts a dip if the guard would fall by less than this fraction of its depth.
+const LESS: f64 = 0.125;
 
 impl<S: Real, G: Vector<S>> Detector<S, G> {
     /// True if the dense output of a step alone says that a contact row leaves its side at the beginning of the step, and if the row has
@@ -40,8 +44,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         (context.time, context.held, context.x) = (start.time, start.held, start.x);
         let slope = rates(context).map(|slopes| slopes.at(index));
         (context.time, context.held, context.x) = reached;
-        let is_of_output =
-            slope.is_some_and(|slope| slope * (end - start.time) >= DIP_CONTRADICTED.of::<S>() * depth);
+        let is_of_output = slope.is_some_and(|slope| slope * (end - start.time) >= S::lit(LESS) * depth);
         if is_of_output {
             self.residual.set(index, depth);
         }
@@ -58,7 +61,7 @@ fn dip<M: System<S: Real>, I: Method<M>>(
     index: usize,
 ) -> Option<(M::S, M::S)> {
     let path = method.path()?;
-    let (mut theta, mut depth) = (finest::<M::S>(), M::S::ZERO);
+    let (mut theta, mut depth) = (M::S::lit(FIRST), M::S::ZERO);
     while theta <= M::S::lit(1.0) {
         let time = path.time(theta);
         let guard = guards(context.system, time, &context.held, &path.at(theta)).at(index);

@@ -1,8 +1,7 @@
 //! Guards over fixed steps, which events do not end: conditions that come and go within one are counted as missed.
 
 use super::relevant::{Relevant, bit};
-use super::search::Found;
-use super::searched::Search;
+use super::search::{Found, Search};
 use super::{Beginning, History};
 use super::{Detector, Event, guards_here};
 use crate::contact::{Change, guard_count};

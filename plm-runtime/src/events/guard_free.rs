@@ -8,10 +8,20 @@ use crate::enclosure::{Enclosed, Interval};
 use crate::method::Path;
 use crate::scalar::Real;
 use crate::system::{Step, System};
-use crate::tolerances::{
-    REACH_FIRST, REACH_NARROWEST, REACH_WIDEST, REGION_LASTS, REGION_SLACK, REGION_WAIT,
-};
 use crate::vector::Vector;
+
+/// Reach of the region about its centre, relative to the sizes of states: at first, ...
+const FIRST: f64 = 1.0 / 16.0;
+/// ... at most, while guards are far, ...
+const WIDEST: f64 = 0.5;
+/// ... and at least. If guards are nearer, they are evaluated in every step, ...
+const NARROWEST: f64 = 1.0 / 1024.0;
+/// ... so many times before this reach is tried again.
+const WAIT: u32 = 64;
+/// Duration of the region in steps, for a reach of 1: guards may depend on time alone.
+const LASTING: f64 = 4096.0;
+/// Factor of the reach within which guards are enclosed, for the rounding of the difference.
+const SLACK: f64 = 1.0 + 1.0 / 256.0;
 
 /// Size of the region and its end in time; its centre is in the history of a run ([`Beginning`]).
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +36,7 @@ pub(super) struct GuardFree<S> {
 
 impl<S: Real> GuardFree<S> {
     pub(super) fn new() -> Self {
-        Self { reach: REACH_FIRST.of::<S>(), until: -S::INFINITY, wait: 0 }
+        Self { reach: S::lit(FIRST), until: -S::INFINITY, wait: 0 }
     }
 
     /// Forgets the region.
@@ -52,17 +62,17 @@ impl<S: Real> GuardFree<S> {
             return false;
         }
         if self.until > -S::INFINITY {
-            self.reach = (self.reach + self.reach).min(REACH_WIDEST.of::<S>());
+            self.reach = (self.reach + self.reach).min(S::lit(WIDEST));
         }
         let around = centre.insert(Beginning { time: step.from.0, held: *step.held, x: *step.to.1 });
-        self.until = step.to.0 + (step.to.0 - step.from.0) * REGION_LASTS.of::<S>() * self.reach;
+        self.until = step.to.0 + (step.to.0 - step.from.0) * S::lit(LASTING) * self.reach;
         let begins = (0..M::X::LEN).all(|i| self.reaches(step.system, around, (i, step.from.1.at(i))));
         let guard_free = begins && self.encloses(around, step) && self.excludes_events(step.system, around);
         if !guard_free {
             self.forget();
             self.reach = S::lit(0.25) * self.reach;
-            if self.reach < REACH_NARROWEST.of::<S>() {
-                (self.reach, self.wait) = (REACH_NARROWEST.of::<S>(), REGION_WAIT);
+            if self.reach < S::lit(NARROWEST) {
+                (self.reach, self.wait) = (S::lit(NARROWEST), WAIT);
             }
         }
         guard_free
@@ -92,7 +102,7 @@ impl<S: Real> GuardFree<S> {
     /// True if all guards stay on their sides within reach.
     fn excludes_events<M: System<S = S>>(&self, system: &M, centre: &Beginning<M>) -> bool {
         let enclosure = |middle, value| Enclosed { middle, value, slope: Interval::point(S::ZERO) };
-        let (typical, reach) = (system.typical(), REGION_SLACK.of::<S>() * self.reach);
+        let (typical, reach) = (system.typical(), S::lit(SLACK) * self.reach);
         let around = |i: usize| {
             let middle = centre.x.at(i);
             let radius = reach * (typical.at(i) + middle.abs());

@@ -36,13 +36,3 @@ pub(super) fn guards<M: System>(system: &M, t: M::S, u: &M::U, x: &M::X) -> M::G
     system.guards(t, u, x, &mut g);
     g
 }
-
-/// True if the guard `index` is beyond its band.
-pub(super) fn is_violated<M: System<S: Real>>(system: &M, g: &M::G, index: usize) -> bool {
-    g.at(index) < -system.band(index)
-}
-
-/// True if the guard `index` is beyond its band below its edge.
-pub(super) fn is_below<M: System<S: Real>>(system: &M, g: &M::G, edges: &M::G, index: usize) -> bool {
-    g.at(index) < edges.at(index) - system.band(index)
-}

@@ -5,17 +5,29 @@
 //! change, the dense output is compared with the rate. It agrees if the kink is smaller than the tolerance; otherwise the step
 //! ends at the kink.
 
+use super::LEAST_ULPS;
 use super::root::{Point, root};
 use crate::enclosure::Enclosed;
 use crate::fault::Fault;
 use crate::method::{Context, Method, Path};
 use crate::scalar::{Real, Scalar};
 use crate::system::{System, value};
-use crate::tolerances::{
-    BESIDE_KINK, BESIDE_KINK_ROUNDED, KINK_HALVINGS, KINK_INTERVALS, KINK_MATTERS, KINKS_FOLLOWED, NO_STEP,
-    ROOT_FOUND,
-};
 use crate::vector::Vector;
+
+/// Most halvings of a step.
+const FINEST: u32 = 12;
+/// Most intervals of a step that are examined.
+const MOST: u32 = 64;
+/// Most kinks that are followed in a step.
+const FOLLOWED: usize = 8;
+/// Part of a step after a kink, at the end of which its sign has changed, and nothing else yet. Signs are also evaluated so far
+/// after the beginning of a step, which may be a kink.
+const BESIDE: f64 = 1e-9;
+/// Least size of that part, in units in the last place.
+const BESIDE_ULPS: f64 = 64.0;
+/// A kink matters if its contribution to the error of a step is more than so many tolerances: the derivative of the dense output
+/// is several times less accurate than the step itself.
+const MATTERS: f64 = 1.0;
 
 /// Time of the first kink in the last step that is not smaller than the tolerance. If a condition seems to switch at `crossing`,
 /// before all kinks, it is the first kink of any size: a guard that stays on its boundary up to the kink may leave it in the
@@ -45,7 +57,7 @@ pub(super) fn kink<M: System<S: Real>, I: Method<M>>(
         let Some(path) = method.path() else { return Ok(None) };
         path
     };
-    let least = NO_STEP.of::<M::S>() * M::S::EPSILON * start.abs().max(context.end.abs());
+    let least = M::S::lit(LEAST_ULPS) * M::S::EPSILON * start.abs().max(context.end.abs());
     // Steps are divided by values, since their lengths are values.
     let time = |theta: M::S| Some(path.time(value(theta))).filter(|time| *time - start > least);
     let kinks = Kinks { system, held, path, relevant };
@@ -88,14 +100,14 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         let (one, half) = (M::S::lit(1.0), M::S::lit(0.5));
         let (first, mut behind) = self.after(beside())?;
         let (mut from, mut sum) = (first, M::S::ZERO);
-        for _ in 0..KINKS_FOLLOWED {
+        for _ in 0..FOLLOWED {
             let next = self.after(behind).unwrap_or((one, one));
             // Simpson's rule from kink to kink; at the first the dense output still fits.
             let (to, middle) = (next.0, half * (from + next.0));
             let part = (to - from) * M::S::lit(1.0 / 6.0);
             let fourfold = M::S::lit(4.0) * self.defect(middle, &mut rate)?;
             sum = sum + part * (self.defect(from, &mut rate)? + fourfold + self.defect(to, &mut rate)?);
-            if sum > KINK_MATTERS.of::<M::S>() * tolerance {
+            if sum > M::S::lit(MATTERS) * tolerance {
                 return Some(first);
             }
             (from, behind) = next;
@@ -137,7 +149,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
                 spent += 1;
                 let changed = self.signs(to) ^ positive;
                 let open = self.open(start, to, positive, changed);
-                if open && level < KINK_HALVINGS && spent < KINK_INTERVALS {
+                if open && level < FINEST && spent < MOST {
                     (level, index, width) = (level + 1, 2 * index, half * width);
                     continue;
                 }
@@ -175,7 +187,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
 
     /// Earliest change of the signs that have `changed` over an interval.
     fn crossing(&self, from: M::S, to: M::S, changed: u128) -> (M::S, usize) {
-        let tolerance = M::S::EPSILON * ROOT_FOUND.of::<M::S>();
+        let tolerance = M::S::EPSILON * M::S::lit(16.0);
         let mut first = (to, changed.trailing_zeros() as usize);
         for i in (0..128).filter(|i| bit(*i).is_some_and(|bit| changed & bit != 0)) {
             let sign = if self.value(from, i) > M::S::ZERO { M::S::lit(1.0) } else { M::S::lit(-1.0) };
@@ -214,7 +226,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
 
 /// Distance after a kink at which its sign is evaluated, as a part of the step.
 fn beside<S: Real>() -> S {
-    BESIDE_KINK.of::<S>().max(BESIDE_KINK_ROUNDED.of::<S>() * S::EPSILON)
+    S::lit(BESIDE).max(S::lit(BESIDE_ULPS) * S::EPSILON)
 }
 
 /// Bit of a kink; kinks after the first 128 are left to error control.

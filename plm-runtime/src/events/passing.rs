@@ -6,15 +6,26 @@
 //! approach the kink, each so far that its stages stay on their side, and a very short one crosses it.
 
 use super::kinks::{Kinks, bit};
+use super::rounding::ULPS;
 use crate::enclosure::{Enclosed, Interval};
 use crate::fault::Fault;
 use crate::method::{Context, Method, Path};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Question, System, value};
-use crate::tolerances::{
-    BEYOND_KINK, LEFT_BY_LONG, LEFT_BY_SHORT, PASSED_BY, PASSED_STEPS, SHORT_OF_KINK, STATE_ROUNDED,
-};
 use crate::vector::Vector;
+
+/// Part of the distance to a kink that a step leaves if the distance is long, ...
+const LEFT_BY_LONG: f64 = 1.0 / 16.0;
+/// ... and if it is short: the error of the stages of a step is a power of its length.
+const LEFT_BY_SHORT: f64 = 1.0 / 1024.0;
+/// Distances below this part of the proposed step are short.
+const SHORT: f64 = 1.0 / 64.0;
+/// Part of the proposed step that the last step before a kink leaves, and by which the step over it goes beyond, ...
+const BESIDE: f64 = 1.0 / (1_u64 << 34) as f64;
+/// ... at least so many times the longest step that counts as none.
+const STEPS: f64 = 2.0;
+/// Least distance of a kink function from zero after the crossing, in its roundings.
+const BEYOND: f64 = 4.0;
 
 /// End of a step because of a kink, as a fraction of the step or as a time.
 #[derive(Clone, Copy, Debug)]
@@ -63,8 +74,8 @@ impl<S: Real, X: Vector<S>> Question<S> for OnTheWay<'_, S, X> {
 
     fn of<N: System<S: Real<Plain = S::Plain>>>(self, system: &N, held: &N::U) -> Self::Answer {
         let kinks = Kinks { system, held: *held, path: self.path.in_values(), relevant: self.relevant };
-        let least = PASSED_STEPS.of::<N::S>() * value::<S, N::S>(self.least) / kinks.path.h;
-        kinks.pass(PASSED_BY.of::<N::S>().max(least)).map(|pass| match pass {
+        let least = N::S::lit(STEPS) * value::<S, N::S>(self.least) / kinks.path.h;
+        kinks.pass(N::S::lit(BESIDE).max(least)).map(|pass| match pass {
             Pass::To(theta) => Pass::To(value(theta)),
             Pass::Over(theta) => Pass::Over(value(theta)),
         })
@@ -86,7 +97,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         if theta <= nothing {
             return self.over((theta, nothing), index);
         }
-        let left = if theta > SHORT_OF_KINK.of::<M::S>() { LEFT_BY_LONG.get() } else { LEFT_BY_SHORT.get() };
+        let left = if theta > M::S::lit(SHORT) { LEFT_BY_LONG } else { LEFT_BY_SHORT };
         Some(Pass::To(theta * M::S::lit(1.0 - left)))
     }
 
@@ -95,7 +106,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
         while theta + beyond < M::S::lit(1.0) {
             let end = theta + beyond;
             let (here, noise) = self.with_rounding(end, index);
-            if here.abs() > BEYOND_KINK.of::<M::S>() * noise {
+            if here.abs() > M::S::lit(BEYOND) * noise {
                 return Some(Pass::Over(end));
             }
             beyond = beyond + beyond;
@@ -126,7 +137,7 @@ impl<M: System<S: Real>> Kinks<'_, M> {
     /// Gives every kink, and its error by rounding of the state and of the time.
     fn rounded(&self, theta: M::S, mut each: impl FnMut(usize, M::S, M::S)) {
         let (time, x, typical) = (self.path.time(theta), self.path.at(theta), self.system.typical());
-        let ulps = STATE_ROUNDED.of::<M::S>() * M::S::EPSILON;
+        let ulps = M::S::lit(ULPS) * M::S::EPSILON;
         let rounded = |s: M::S, size: M::S| Enclosed {
             slope: Interval { low: -ulps * size, high: ulps * size },
             ..Enclosed::constant(s)

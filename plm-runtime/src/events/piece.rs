@@ -2,12 +2,19 @@
 
 use super::quartic::{Curve, Near, VALUES, curve};
 use super::relevant::bit;
-use super::searched::{Piece, Search};
+use super::rounding::ULPS;
+use super::search::Search;
 use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tolerances::{BY_VALUES, SMOOTH, STATE_ROUNDED};
 use crate::vector::Vector;
+
+/// Halvings after which guards that are still open are judged by their values.
+const BY_VALUES: u32 = 3;
+/// Largest second derivative of such a guard over the whole step, in sizes of its terms, so that nothing hides between values, ...
+const SMOOTH: f64 = 16.0;
+/// ... unless it has no enclosure, or so many pieces have been examined.
+pub(super) const MANY: u32 = 256;
 
 /// Verdict on an interval.
 pub(super) enum Verdict<S> {
@@ -26,6 +33,18 @@ pub(super) struct Depth {
     pub(super) resting: u64,
     /// True if so many pieces of the step have been examined that values decide.
     pub(super) is_long: bool,
+}
+
+/// Ends of an interval, and the guards there.
+pub(super) struct Piece<S, G> {
+    pub(super) from: S,
+    pub(super) to: S,
+    pub(super) left: G,
+    pub(super) right: G,
+    /// True if the interval was bisected so often that rounding is evaluated here.
+    pub(super) is_local: bool,
+    /// Rounding errors of the guards.
+    pub(super) noise: G,
 }
 
 impl<M: System<S: Real>> Search<'_, M> {
@@ -88,10 +107,10 @@ impl<M: System<S: Real>> Search<'_, M> {
         if depth.level < BY_VALUES {
             return false;
         }
-        let terms = piece.noise.at(i) / (STATE_ROUNDED.of::<M::S>() * M::S::EPSILON);
+        let terms = piece.noise.at(i) / (M::S::lit(ULPS) * M::S::EPSILON);
         let bends = (slope.high - slope.low) / (piece.to - piece.from);
         let is_unknown = range.low == -M::S::INFINITY && slope.high == M::S::INFINITY;
-        is_unknown || depth.is_long || bends <= SMOOTH.of::<M::S>() * terms
+        is_unknown || depth.is_long || bends <= M::S::lit(SMOOTH) * terms
     }
 
     /// Judges these guards over an interval, one bit each: true if one of them leaves its side, an error with the first that is undecided.

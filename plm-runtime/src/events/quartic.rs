@@ -7,10 +7,15 @@
 //! Surfaces for CAGD, 5th edition, 5.1).
 
 use crate::scalar::Real;
-use crate::tolerances::{COEFFICIENT_ROUNDED, QUARTIC_OFF, STEADY};
 
 /// Number of equidistant values of a piece.
 pub(super) const VALUES: usize = 9;
+/// Bound of the error of the quartic, relative to its largest error at the four values.
+const OFF: f64 = 4.0;
+/// Error of a coefficient in roundings of the values: the sum of the sizes of its weights.
+const ROUNDED: f64 = 16.0;
+/// A guard falls if the error of the quartic is at most this part of its change.
+const STEADY: f64 = 0.125;
 
 /// Course of a guard over a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +55,7 @@ pub(super) fn curve<S: Real>(values: &[S; VALUES], (edge, noise): (S, S), near: 
     let given = [values[1], values[3], values[5], values[7]];
     let off = odd.iter().zip(&given).fold(S::ZERO, |off, (one, other)| off.max((*one - *other).abs()));
     let fits = off <= noise;
-    let off = QUARTIC_OFF.of::<S>() * off;
+    let off = S::lit(OFF) * off;
     let control = [
         even[0],
         weigh([-13.0, 48.0, -36.0, 16.0, -3.0], 12.0),
@@ -61,7 +66,7 @@ pub(super) fn curve<S: Real>(values: &[S; VALUES], (edge, noise): (S, S), near: 
     // Coefficients have more rounding than values.
     let least = match near {
         Near::Unknown => edge + if fits { S::ZERO } else { off },
-        Near::Rounding if fits => violated - COEFFICIENT_ROUNDED.of::<S>() * noise,
+        Near::Rounding if fits => violated - S::lit(ROUNDED) * noise,
         Near::Rounding => violated + off,
     };
     // Comparisons with NaN are false.
@@ -69,7 +74,7 @@ pub(super) fn curve<S: Real>(values: &[S; VALUES], (edge, noise): (S, S), near: 
         return Curve::Stays;
     }
     let falls = control.windows(2).all(|pair| pair[1] <= pair[0]);
-    let is_steady = off <= STEADY.of::<S>() * (values[0] - values[8]);
+    let is_steady = off <= S::lit(STEADY) * (values[0] - values[8]);
     let leaves = values[0] >= violated && values[8] < violated;
     if leaves && falls && is_steady { Curve::Leaves } else { Curve::Open }
 }

@@ -1,6 +1,7 @@
 //! Relevant conditions: those whose modes the rate can read, given the modes that the others can have.
 
-use super::here::{guards, is_violated};
+use super::guards;
+use super::violated::is_violated;
 use crate::scalar::Real;
 use crate::system::System;
 use crate::vector::Vector;

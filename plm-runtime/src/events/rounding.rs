@@ -3,8 +3,10 @@
 use crate::enclosure::{Enclosed, Interval};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tolerances::STATE_ROUNDED;
 use crate::vector::Vector;
+
+/// Rounding of a state and of the time, in units in the last place.
+pub(super) const ULPS: f64 = 8.0;
 
 /// Error of each guard by rounding of the state `x` and of a time, up to `end`.
 pub(super) fn rounding<M: System<S: Real>>(
@@ -13,7 +15,7 @@ pub(super) fn rounding<M: System<S: Real>>(
     x: &M::X,
     here: &M::G,
 ) -> M::G {
-    let ulps = STATE_ROUNDED.of::<M::S>() * M::S::EPSILON;
+    let ulps = M::S::lit(ULPS) * M::S::EPSILON;
     let rounded = |s: M::S, size: M::S| Enclosed {
         slope: Interval { low: -ulps * size, high: ulps * size },
         ..Enclosed::constant(s)

@@ -10,11 +10,15 @@ use super::search::Found;
 use crate::method::{Context, Method};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tolerances::{BENT_HALVINGS, RETURN_HALVINGS};
 use crate::vector::Vector;
 
 /// Intervals between the samples of a step.
 const SAMPLES: usize = 4;
+/// Halvings of a step that begins with a violated guard, in search of a time at which the guard is satisfied before it leaves its side.
+const HALVINGS: u32 = 10;
+
+/// Most halvings of a step in which guards bend.
+const MOST_HALVINGS: u32 = 6;
 
 /// A part of a step: its beginning and end, with the guards there, and the number of halvings that are left.
 struct Part<M: System> {
@@ -39,7 +43,7 @@ impl<M: System<S: Real>, I: Method<M>> Sampled<'_, '_, M, I> {
     /// First guard that leaves its side, and the time; the guards at the beginning and at the end of the step are known.
     pub(super) fn first(&self, began: &M::G, end: &M::G) -> (Found<M::S>, M::S) {
         let (from, to) = ((self.start, *began), (self.context.time, *end));
-        match self.first_within(&Part { from, to, halvings: BENT_HALVINGS }) {
+        match self.first_within(&Part { from, to, halvings: MOST_HALVINGS }) {
             Some((index, time)) => (Found::Crossing(index, (time - from.0) / (to.0 - from.0)), time),
             None => (Found::Nothing, to.0),
         }
@@ -114,7 +118,7 @@ fn crossing<S: Real>(start: Point<S>, end: Point<S>, guard: &mut dyn FnMut(S) ->
         return root(start, end, tolerance, guard);
     }
     let mut length = end.at - start.at;
-    for _ in 0..RETURN_HALVINGS {
+    for _ in 0..HALVINGS {
         length = S::lit(0.5) * length;
         let at = start.at + length;
         let value = guard(at);

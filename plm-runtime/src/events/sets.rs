@@ -8,8 +8,12 @@ use crate::absolute::{self, Absolute};
 use crate::fault::{Cause, Fault, Names};
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tolerances::{MOST_ROUNDS, SET_ROUNDED};
 use crate::vector::Vector;
+
+/// Most rounds in which events follow each other at once.
+const MOST_ROUNDS: u32 = 100;
+/// Units in the last place that count as rounding.
+const MANY: f64 = 1024.0;
 
 /// A mechanism with `W` events that set states; implemented by generated code.
 pub trait Sets<const W: usize>: System<S: Real> {
@@ -139,7 +143,7 @@ fn changed<G: Vector<S>, S: Real>(before: &G, after: &G, k: usize) -> bool {
 
 /// True if a change has moved the state by no more than rounding, as impulses do that satisfy joints again.
 fn is_rounding<M: System<S: Real>>(system: &M, before: &M::X, x: &M::X) -> bool {
-    let least = SET_ROUNDED.of::<M::S>() * M::S::EPSILON;
+    let least = M::S::lit(MANY) * M::S::EPSILON;
     let typical = system.typical();
     (0..M::X::LEN).all(|i| (x.at(i) - before.at(i)).abs() <= least * (typical.at(i) + x.at(i).abs()))
 }

@@ -3,7 +3,7 @@
 //! The guard of such an event is zero there within rounding: its value does not tell the side to which it goes. The next step does not tell
 //! either, since it may be longer than the whole flight. The slope of the guard after the event does.
 
-use super::rates::{rates, rates_of_both};
+use super::boundary::{rates, rates_of_both};
 use super::rounding::rounding;
 use super::{guards, hold};
 use crate::contact;
@@ -11,8 +11,11 @@ use crate::fault::{Cause, Fault, Names};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tolerances::AHEAD_OF_REST;
 use crate::vector::Vector;
+
+/// Time ahead of a state at rest at which its event is tried, in square roots of the rounding of 1 s plus the time: as little as lets the
+/// guard change by more than its rounding.
+const AHEAD: f64 = 64.0;
 
 /// Commits the event of the condition `index`, and the return over its guard if that follows at once; gives the number of returns.
 ///
@@ -44,7 +47,7 @@ fn rests<M: System<S: Real>>(context: &mut Context<'_, M>, index: usize, held: &
     let here = (context.time, context.held, context.x);
     context.held = *held;
     let rests = rates_of_both(context).is_some_and(|(rate, _)| {
-        let ahead = AHEAD_OF_REST.of::<M::S>() * M::S::EPSILON.sqrt() * (M::S::lit(1.0) + here.0.abs());
+        let ahead = M::S::lit(AHEAD) * M::S::EPSILON.sqrt() * (M::S::lit(1.0) + here.0.abs());
         context.x = here.2.map2(&rate, |x, rate| x + ahead * rate);
         let guards = guards(context.system, here.0, held, &here.2);
         let noise = rounding((context.system, held), (here.0, here.0), &here.2, &guards);

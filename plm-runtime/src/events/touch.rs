@@ -4,13 +4,17 @@
 use super::guards;
 use super::relevant::{Relevant, bit};
 use super::root::{Point, root};
-use super::rounding::rounding;
+use super::rounding::{ULPS, rounding};
 use crate::fault::{Cause, Fault};
 use crate::method::{Context, Method, Path};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Question, System, value};
-use crate::tolerances::{NO_DERIVATIVE, ON_BOUNDARY, ROOT_FOUND, STATE_ROUNDED};
 use crate::vector::Vector;
+
+/// Distance, in roundings there, up to which a motion touches a boundary; the tolerance of its steps, if that is more.
+const MANY: f64 = 1e3;
+/// Derivatives below this are rounding.
+const NONE: f64 = 1e-12;
 
 /// Searches for a condition whose boundary the last step has only touched, of those that are `relevant` and have no `residual`.
 ///
@@ -32,7 +36,7 @@ pub(super) fn touch<M: System<S: Real>, I: Method<M>>(
     let distance = guards(context.system, time, &context.held, &path.at(theta)).at(index);
     let keeps_away = match distance.goes() {
         Some(away) => away >= 0.0,
-        None => distance.largest_derivative() <= NO_DERIVATIVE.get(),
+        None => distance.largest_derivative() <= NONE,
     };
     if keeps_away {
         return Ok(());
@@ -92,12 +96,11 @@ impl<N: System<S: Real>> Over<'_, N> {
         let ends = [at(N::S::ZERO), at(one)];
         let [left, right] =
             [(N::S::ZERO, ends[0]), (one, ends[1])].map(|(at, [_, slope])| Point { at, value: -slope });
-        let theta = root(left, right, ROOT_FOUND.of::<N::S>() * N::S::EPSILON, &mut |theta| -at(theta)[1]);
+        let theta = root(left, right, N::S::lit(16.0) * N::S::EPSILON, &mut |theta| -at(theta)[1]);
         let (time, x) = (self.path.time(theta), self.path.at(theta));
         let here = guards(self.system, time, self.held, &x);
         let rounded = rounding((self.system, self.held), (time, time), &x, &here).at(index);
-        let parts =
-            (self.tolerance / (STATE_ROUNDED.of::<N::S>() * N::S::EPSILON)).max(ON_BOUNDARY.of::<N::S>());
+        let parts = (self.tolerance / (N::S::lit(ULPS) * N::S::EPSILON)).max(N::S::lit(MANY));
         let within = parts * rounded;
         let nearest = here.at(index) + self.system.band(index);
         let is_touched = nearest.abs() <= within && ends.iter().all(|[guard, _]| *guard > within);

@@ -1,17 +1,17 @@
 //! Events of conditions whose guards are violated at a state.
 
 use super::boundary::Boundary;
-use super::derived::{Timed, derive_time, restore_time};
-use super::here::{guards, guards_here, is_below, is_violated};
 use super::relevant::{bit, refresh};
-use super::requirements::{hold, not_met, required};
+use super::{Timed, derive_time, guards, guards_here, hold, restore_time};
 use crate::contact;
 use crate::fault::{Cause, Fault};
 use crate::method::Context;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
-use crate::tolerances::GAP_CLOSED;
 use crate::vector::Vector;
+
+/// Depth, as a fraction of the length of the mechanism, above which a negative gap is a penetration: events are located more accurately.
+const SUNK: f64 = 1e-9;
 
 /// Commits the events of all conditions whose guards are past their bands at the state `x`; returns their number.
 ///
@@ -84,7 +84,7 @@ fn has_sunk<M: System<S: Real>>(
     rows: usize,
 ) -> bool {
     let length = (0..system.coordinates()).fold(M::S::ZERO, |length, i| length.max(system.typical_at(i)));
-    let least = GAP_CLOSED.of::<M::S>() * length;
+    let least = M::S::lit(SUNK) * length;
     (rows..M::G::LEN).any(|i| here.at(i) < -least) || system.drift(t, u, x).phi > least
 }
 
@@ -94,6 +94,16 @@ fn guards_of_contact<M: System>(system: &M) -> usize {
         0 => 0,
         rows => contact::guard_count(rows),
     }
+}
+
+/// True if the guard `index` is beyond its band.
+pub(super) fn is_violated<M: System<S: Real>>(system: &M, g: &M::G, index: usize) -> bool {
+    g.at(index) < -system.band(index)
+}
+
+/// True if the guard `index` is beyond its band below its edge.
+pub(super) fn is_below<M: System<S: Real>>(system: &M, g: &M::G, edges: &M::G, index: usize) -> bool {
+    g.at(index) < edges.at(index) - system.band(index)
 }
 
 /// Conditions that have switched.
@@ -180,16 +190,24 @@ pub(crate) fn violated<M: System<S: Real>>(system: &M, t: M::S, held: &M::U, x: 
     (!are_satisfied).then_some(here)
 }
 
-/// Refuses to project a step that has crossed a jump of rows: its distance from the rows is the jump, and no drift.
-pub(crate) fn before_projection<M: System<S: Real>>(
-    context: &Context<'_, M>,
-    t: M::S,
-    x: &M::X,
-) -> Result<(), Fault> {
-    let (mut after, mut beyond) = (context.held, *x);
-    if context.system.guard_count() == 0 || switch_where_due(context.system, t, &mut after, &mut beyond)? == 0
-    {
-        return Ok(());
+/// Ends a run whose requirement `index` is no longer satisfied, or that has come to a pole or the end of a domain.
+pub(super) fn required<M: System<S: Real>>(context: &Context<'_, M>, index: usize) -> Result<(), Fault> {
+    let (time, name) = (context.time.to_f64(), context.system.guard_name(index));
+    if context.system.must_hold(index) {
+        return Err(Fault::of_part(time, name, Cause::Required));
     }
-    context.system.jump(t, &context.held, x, Some(&after)).map_or(Ok(()), Err)
+    context.system.end(index).map_or(Ok(()), |cause| Err(Fault::of_part(time, name, cause)))
+}
+
+/// Fault of a guard that is undecided in a step from a time on; at a pole or the end of a domain, the end of the run there.
+#[cold]
+pub(super) fn undecided<M: System<S: Real>>(system: &M, time: M::S, index: usize) -> Fault {
+    let cause = system.end(index).unwrap_or(Cause::NotDecided);
+    Fault::of_part(time.to_f64(), system.guard_name(index), cause)
+}
+
+/// Fault of a requirement that is not satisfied at the start of a run, or after a change by the caller.
+pub(super) fn not_met<M: System<S: Real>>(context: &Context<'_, M>, index: usize, here: &M::G) -> Fault {
+    let cause = Cause::NotMet { by: -here.at(index).to_f64() };
+    Fault::of_part(context.time.to_f64(), context.system.guard_name(index), cause)
 }

@@ -1,7 +1,7 @@
 //! Data of the detector as words.
 
 use super::chattering::Chattering;
-use super::detector::{Detector, Modes};
+use super::{Detector, Modes};
 use crate::scalar::Real;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};

@@ -1,7 +1,6 @@
 //! Targets and how inputs change them, by dual numbers.
 
 use super::names::Quantity;
-use super::slopes::Evaluated;
 use super::{Inverse, Invertible};
 use crate::described::Described;
 use crate::dual::Dual;
@@ -12,6 +11,16 @@ use crate::ports::Ports;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Constraints, Rate};
 use crate::vector::Vector;
+
+/// Wanted quantities at a moment: accelerations, rates or values.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Evaluated<S, const TARGETS: usize, const DRIVES: usize> {
+    pub(super) values: [S; TARGETS],
+    /// Of each target its derivatives by the inputs.
+    pub(super) slopes: [[S; DRIVES]; TARGETS],
+    /// Of each input its largest effect on a rate of the state.
+    pub(super) scales: [S; DRIVES],
+}
 
 type Lifted<M, const K: usize> = <M as Linear>::Lifted<K>;
 type X<M, const K: usize> = <Lifted<M, K> as Rate>::X;

@@ -13,14 +13,13 @@ mod modes;
 mod names;
 mod place;
 mod sides;
-mod slopes;
 
 pub use error::{NotNamed, Unsolved};
 pub use names::Target;
 
+use self::evaluated::Evaluated;
 use self::least::{Dependence, least_norm};
 use self::names::Found;
-use self::slopes::Evaluated;
 use crate::described::Described;
 use crate::linear::Linear;
 use crate::linearised::Linearisable;

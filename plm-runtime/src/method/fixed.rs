@@ -2,7 +2,6 @@
 
 mod at_once;
 mod formula;
-mod step;
 mod whole;
 
 use core::marker::PhantomData;
@@ -10,7 +9,7 @@ use core::marker::PhantomData;
 pub(crate) use self::formula::looked_at;
 pub use self::formula::{Formula, Made};
 
-use self::step::{evaluated, formula};
+use self::formula::{evaluated, formula};
 use super::estimate::Estimate;
 use super::length::{are_near, are_straight, is_due};
 use super::partition::Partition;
@@ -22,7 +21,6 @@ use crate::fault::Fault;
 use crate::scalar::Real;
 use crate::stats::Stats;
 use crate::system::{Drift, System};
-use crate::tolerances;
 use crate::vector::Vector;
 
 /// A method with steps of equal length.
@@ -53,7 +51,7 @@ pub struct FixedStep<S, F> {
 impl<S: Real, F: Formula> FixedStep<S, F> {
     /// The method with steps of at most `longest_step`, in s, and a tolerated drift of 1e-10 (at least the resolution of the scalar).
     pub fn new(longest_step: S) -> Self {
-        let tolerance = tolerances::drift();
+        let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
         Self {
             longest_step,
             tolerance,

@@ -22,11 +22,9 @@ mod context;
 mod contract;
 mod dop853;
 mod dopri5;
-mod drift;
 mod embedded;
 mod estimate;
 mod euler;
-mod faults;
 mod fixed;
 mod gauss;
 mod jacobian;
@@ -48,12 +46,9 @@ use context::rate;
 pub use contract::{DenseOutput, DriftCheck, ErrorControl, FastStep, FixedLength, Length, Method};
 pub use dop853::{Dop853, DormandPrince853};
 pub use dopri5::{Dopri5, DormandPrince5};
-use drift::larger;
-pub(crate) use drift::{drift_of_size, excess};
 pub use embedded::{Embedded, Limits, Pair};
 pub use estimate::Estimate;
 pub use euler::{SemiImplicitEuler, SemiImplicitEulerFormula};
-pub(crate) use faults::{not_finite, unhealthy};
 pub(crate) use fixed::looked_at;
 pub use fixed::{FixedStep, Formula, Made};
 pub use gauss::Gauss;
@@ -68,3 +63,56 @@ pub(crate) use rates::Watched;
 pub use rk4::{Rk4, Rk4Formula};
 pub use ros34pw2::{Ros34Pw2, Ros34Pw2Formula, Trial};
 pub use vern9::{Vern9, Verner98};
+
+use core::cmp::Ordering;
+
+use crate::fault::{Cause, Fault};
+use crate::scalar::{Real, Scalar};
+use crate::system::{Drift, System};
+use crate::vector::Vector;
+
+/// A fault that names the part of the first component which is not finite.
+pub(crate) fn not_finite<M: System>(system: &M, t: M::S, x: &M::X) -> Fault {
+    let index = (0..M::X::LEN).find(|i| !x.at(*i).is_finite());
+    let part = index.map_or("", |i| system.part_of_state(i));
+    Fault::of_part(t.to_f64(), part, Cause::NotFinite)
+}
+
+/// Fault of a step whose rates are unhealthy.
+#[cold]
+pub(crate) fn unhealthy<M: System<S: Real>>(
+    system: &M,
+    held: &M::U,
+    (time, x): (M::S, M::X),
+    next: M::X,
+) -> Fault {
+    let mut rate = x;
+    match system.rate_by_rank(time, held, &x, &mut rate) {
+        Err(fault) => fault,
+        Ok(()) if !next.is_finite() => not_finite(system, time, &next),
+        Ok(()) => Fault::new(time.to_f64(), Cause::NotRegular),
+    }
+}
+
+/// Drift of the size `fraction` of the largest typical coordinate and velocity.
+pub(crate) fn drift_of_size<M: System<S: Real>>(system: &M, fraction: M::S) -> Drift<M::S> {
+    let typical = system.typical();
+    let largest = |from: usize| (from..from + M::NQ).fold(M::S::lit(0.0), |size, i| typical.at(i).max(size));
+    Drift { phi: fraction * largest(0), phi_dot: fraction * largest(M::NQ) }
+}
+
+/// The larger of the two residuals, each as a multiple of its limit; zero if there is nothing to project.
+pub(crate) fn excess<S: Real>(drift: Drift<S>, limit: Drift<S>) -> S {
+    let zero = S::lit(0.0);
+    let ratio = |size: S, limit: S| if size == zero { zero } else { size / limit };
+    larger(ratio(drift.phi, limit.phi), ratio(drift.phi_dot, limit.phi_dot))
+}
+
+/// The larger of two numbers; NaN if one of them is.
+fn larger<S: Real>(a: S, b: S) -> S {
+    match a.partial_cmp(&b) {
+        Some(Ordering::Less) => b,
+        Some(_) => a,
+        None => a + b,
+    }
+}

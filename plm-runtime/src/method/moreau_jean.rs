@@ -9,7 +9,6 @@ use crate::contact::{Change, Solution, Stride, smooth_step};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
-use crate::tolerances;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
@@ -46,7 +45,7 @@ impl<S: Real> MoreauJean<S> {
     /// The method with steps of at most `longest_step`, in s, [`THETA`](Self::THETA), one evaluation, and a tolerated drift of 1e-10 (at
     /// least the resolution of the scalar).
     pub fn new(longest_step: S) -> Self {
-        let tolerance = tolerances::drift();
+        let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
         Self::of(longest_step, S::lit(Self::THETA), tolerance)
     }
 }

@@ -7,7 +7,6 @@ use crate::linalg::Derivatives;
 use crate::linear::Linear;
 use crate::scalar::{Real, Scalar};
 use crate::system::Drift;
-use crate::tolerances;
 use crate::vector::Vector;
 
 /// ROS34PW2 with steps of equal length: order 3, L-stable, for stiff equations in real time.
@@ -73,7 +72,7 @@ impl<S: Real> Ros34Pw2<S> {
     /// The method with steps of at most `longest_step`, in s, and a tolerated drift of 1e-10 (at least the resolution of the
     /// scalar).
     pub fn new(longest_step: S) -> Self {
-        let tolerance = tolerances::drift();
+        let tolerance = S::lit(1e-10).max(S::lit(64.0) * S::EPSILON);
         Self {
             longest_step,
             tolerance,

@@ -1,10 +1,31 @@
 //! Coordinates of a state next to a singular pose: those of a chart, or absolute ones.
 
-use super::{Coordinates, ExtendedPrecision};
+use super::ExtendedPrecision;
 use crate::absolute;
 use crate::charts::{self, Charted};
 use crate::scalar::Scalar;
 use crate::system::{Rate, Step};
+
+/// Coordinates of a mechanism that has singular poses: a type without values, chosen with the formulation.
+pub trait Coordinates<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> {
+    /// As [`ExtendedPrecision::is_charted`].
+    fn is_charted(system: &M) -> bool;
+
+    /// As [`ExtendedPrecision::crossed`].
+    fn crossed(step: &Step<'_, M>) -> M::S;
+
+    /// As [`ExtendedPrecision::is_near`].
+    fn is_near(held: &M::U) -> bool;
+
+    /// As [`ExtendedPrecision::full`].
+    fn full(system: &M, t: M::S, held: &M::U, x: &M::X) -> [M::S; NX];
+
+    /// As [`ExtendedPrecision::hold`].
+    fn hold(system: &M, held: &mut M::U, x: &mut M::X, full: &[M::S; NX]);
+
+    /// As [`ExtendedPrecision::flat_part`].
+    fn flat_part(system: &M, t: M::S, full: &[M::S; NX]) -> &'static str;
+}
 
 /// Joint coordinates in charts.
 #[derive(Clone, Copy, Debug)]

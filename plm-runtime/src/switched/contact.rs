@@ -1,10 +1,127 @@
 //! Contact part of a switched mechanism: without contact, or with a number of rows.
 
-use super::{ContactPart, Switched};
+use super::Switched;
 use crate::contact::{self, Change, Contacts, Modal, Solution, Status, Stride};
 use crate::enclosure::Enclosed;
 use crate::fault::Fault;
 use crate::system::Rate;
+
+/// Part of [`Events`](crate::Events) that belongs to contact; the defaults are those of a mechanism without
+/// contact.
+pub trait ContactPart<M: Switched> {
+    /// True if mechanisms of this type have contact rows.
+    const ARE_THERE: bool = false;
+
+    /// Gives each guard of contact with its number.
+    #[inline]
+    fn guards(system: &M, t: M::S, u: &M::U, x: &M::X, each: &mut impl FnMut(usize, M::S)) {
+        let _ = (system, t, u, x, each);
+    }
+
+    /// Gives each guard of contact over an interval with its number. Returns false if there are no
+    /// enclosures.
+    #[inline]
+    fn guards_within(
+        system: &M,
+        t: Enclosed<M::S>,
+        u: &M::U,
+        x: &impl Fn(usize) -> Enclosed<M::S>,
+        each: &mut impl FnMut(usize, Enclosed<M::S>),
+    ) -> bool {
+        let _ = (system, t, u, x, each);
+        true
+    }
+
+    /// As [`Events::stay`](crate::Events::stay).
+    #[inline]
+    fn stay(
+        system: &M,
+        u: &M::U,
+        places: [(M::S, &M::X); 2],
+        within: (Enclosed<M::S>, &impl Fn(usize) -> Enclosed<M::S>),
+        end: impl Fn(usize) -> M::S,
+    ) -> bool {
+        let _ = (system, u, places, within, end);
+        false
+    }
+
+    /// Changes sides of conditions, and checks the rows that begin to exist by them.
+    ///
+    /// # Errors
+    /// If a row begins to exist with a negative gap, or open as a constraint.
+    #[inline]
+    fn change_sides(
+        system: &M,
+        t: M::S,
+        (u, x): (&mut M::U, &M::X),
+        change: impl FnOnce(&mut M::U),
+    ) -> Result<(), Fault> {
+        let _ = (system, t, x);
+        change(u);
+        Ok(())
+    }
+
+    /// Finds the next modes after the guard of this number has passed zero within a step of this length.
+    ///
+    /// # Errors
+    /// If no modes apply.
+    #[inline]
+    fn switch_after(
+        system: &M,
+        t: M::S,
+        at: (&mut M::U, &mut M::X),
+        event: (usize, M::S),
+    ) -> Result<(), Fault> {
+        let _ = (system, t, at, event);
+        Ok(())
+    }
+
+    /// Finds the next modes after another event within a step of this length.
+    ///
+    /// # Errors
+    /// If no modes apply.
+    #[inline]
+    fn update_after(system: &M, t: M::S, at: (&mut M::U, &mut M::X), step: M::S) -> Result<(), Fault> {
+        let _ = (system, t, at, step);
+        Ok(())
+    }
+
+    /// As [`Events::state_was_set`](crate::Events::state_was_set).
+    ///
+    /// # Errors
+    /// If no modes apply.
+    #[inline]
+    fn state_was_set(system: &M, t: M::S, at: (&mut M::U, &mut M::X)) -> Result<(), Fault> {
+        let _ = (system, t, at);
+        Ok(())
+    }
+
+    /// Modes of the rows, counts, impulses and energies.
+    #[inline]
+    fn status(u: &M::U) -> Status<'_> {
+        let _ = u;
+        Status::default()
+    }
+
+    /// Sets the times at which modes change.
+    #[inline]
+    fn set_change(u: &mut M::U, change: Change) {
+        let _ = (u, change);
+    }
+
+    /// As [`Events::stride`](crate::Events::stride).
+    ///
+    /// # Errors
+    /// Those of the step, and of `after`.
+    fn stride<const EVALUATIONS: usize>(
+        system: &M,
+        stride: &Stride<M::S>,
+        at: (&mut M::U, &mut M::X),
+        after: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
+    ) -> Result<Solution<M::S>, Fault> {
+        contact::smooth_stride::<M, EVALUATIONS>(system, stride, at, after)
+    }
+}
 
 /// Mechanisms without contact.
 #[derive(Clone, Copy, Debug)]

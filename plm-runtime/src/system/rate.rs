@@ -1,7 +1,7 @@
-//! Equations of motion: the rate of the state, and steps that a system computes as one function.
+//! Equations of motion: the rate of the state.
 
 use crate::scalar::Scalar;
-use crate::system::Health;
+use crate::system::{Health, OneStep, WholeStep};
 use crate::vector::Vector;
 
 /// Equations of motion x' = f(t, u, x), for any numbers: `f32`, `f64`, dual numbers, lanes.
@@ -118,30 +118,4 @@ pub fn rate_aside<M: Rate>(system: &M, t: M::S, u: &M::U, x: M::X) -> (M::X, Hea
     let mut dx = x;
     let health = system.rate(t, u, &x, &mut dx);
     (dx, health)
-}
-
-/// A formula of steps of fixed length, for systems that compute such steps as a whole.
-pub trait OneStep {
-    /// Name of the formula.
-    const NAME: &'static str;
-    /// Rates per step.
-    const STAGES: u64;
-
-    /// Takes the state `x` from `t` to `t + h`; `rates` writes the rate at a time and state. The result is above zero where the rates are so
-    /// far apart that the error of the step is to be estimated.
-    fn one_step<M: Rate>(
-        system: &M,
-        times: (M::S, M::S),
-        x: &mut M::X,
-        rates: impl FnMut(M::S, &M::X, &mut M::X),
-    ) -> M::S;
-}
-
-/// A step that a system has computed as a whole ([`Rate::whole_step`]).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WholeStep<S: Scalar> {
-    /// The worst health of its stages.
-    pub health: Health<S>,
-    /// Above zero where the rates are so far apart that the error is to be estimated.
-    pub spread: S,
 }

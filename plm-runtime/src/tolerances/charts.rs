@@ -1,9 +1,9 @@
 //! Tolerances for loops in closed form: for the change of charts, and for the distance of a state from the last checked one.
 
-use super::tolerance::ByPrecision;
+use super::ByPrecision;
 use crate::scalar::{Real, Scalar};
 
-super::tolerance::tolerances! {
+super::tolerances! {
     /// A measure. Below it other charts are compared: rounding in accelerations, which grows with the third power of the inverse measure,
     /// is 37 units in the last place there.
     FLAT: f64 = 0.3;
@@ -55,12 +55,6 @@ super::tolerance::tolerances! {
 #[inline]
 pub(crate) fn tight() -> f64 {
     BOX.get() * FLAT.get()
-}
-
-/// Square of a measure.
-#[inline]
-pub(crate) fn square<S: Scalar>(measure: f64) -> S {
-    S::lit(measure * measure)
 }
 
 /// Square of the measure above which a chart is good.

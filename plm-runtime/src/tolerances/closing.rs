@@ -2,7 +2,7 @@
 
 use crate::scalar::Real;
 
-super::tolerance::tolerances! {
+super::tolerances! {
     /// Units in the last place of numbers of twice the precision, of the mechanism's size. A pose is closed up to it: 1e-28 of the size,
     /// less than the twelfth digit of the rounding of lengths.
     CLOSED_EXACTLY: f64 = 1e4;

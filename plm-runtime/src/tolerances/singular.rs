@@ -1,9 +1,9 @@
 //! Tolerances of the near-singular method: for its takeover, the search for the pose ahead, and the crossing of that pose.
 
-use super::tolerance::ByPrecision;
+use super::ByPrecision;
 use crate::scalar::Real;
 
-super::tolerance::tolerances! {
+super::tolerances! {
     // Nearness of a step to a singular pose.
 
     /// rad. A pose that is nearer to a singular one is ill-conditioned, and the near-singular method takes over: its pivot ratio is about

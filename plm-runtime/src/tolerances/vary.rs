@@ -1,18 +1,45 @@
-//! Names of tolerances, and changes of their factors, for sweeps that show their effect on results.
+//! Factors of tolerances, for sweeps that show their effect on results.
 
-use super::factor::Factor;
-use super::{charts, closing, contact, drift, events, singular};
+extern crate std;
 
-fn of(files: &'static [&'static [fn() -> &'static Factor]]) -> impl Iterator<Item = &'static Factor> {
-    files.iter().copied().flatten().map(|factor| factor())
+use core::sync::atomic::{AtomicU64, Ordering};
+
+use super::{charts, closing, singular};
+
+/// Factor of a tolerance.
+#[derive(Debug)]
+pub(crate) struct Factor {
+    name: &'static str,
+    /// Bits of the factor; 0 before its first use.
+    bits: AtomicU64,
 }
 
-fn of_poses() -> impl Iterator<Item = &'static Factor> {
-    of(&[charts::FACTORS, singular::FACTORS, closing::FACTORS])
+impl Factor {
+    pub(super) const fn new(name: &'static str) -> Self {
+        Self { name, bits: AtomicU64::new(0) }
+    }
+
+    /// The factor; at first use that of the environment.
+    pub(super) fn get(&self) -> f64 {
+        let bits = self.bits.load(Ordering::Relaxed);
+        if bits != 0 {
+            return f64::from_bits(bits);
+        }
+        let factor = from_environment(self.name).unwrap_or(1.0);
+        self.bits.store(factor.to_bits(), Ordering::Relaxed);
+        factor
+    }
+}
+
+/// The factor of a tolerance according to `PLM_VARY=NAME=FACTOR`.
+fn from_environment(name: &str) -> Option<f64> {
+    let given = std::env::var("PLM_VARY").ok()?;
+    let (named, factor) = given.split_once('=')?;
+    factor.parse().ok().filter(|_| named == name)
 }
 
 fn all() -> impl Iterator<Item = &'static Factor> {
-    of_poses().chain(of(&[drift::FACTORS, contact::FACTORS, events::FACTORS]))
+    [charts::FACTORS, singular::FACTORS, closing::FACTORS].into_iter().flatten().map(|factor| factor())
 }
 
 /// The names of all tolerances.
@@ -20,17 +47,12 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     all().map(|factor| factor.name)
 }
 
-/// The names of the tolerances of charts, of the near-singular method and of closed joints, which every linkage has.
-pub fn names_of_poses() -> impl Iterator<Item = &'static str> {
-    of_poses().map(|factor| factor.name)
-}
-
 /// Multiplies a tolerance by a factor, in all runs of the process. Returns false if no tolerance has that
 /// name.
 pub fn set_factor(name: &str, factor: f64) -> bool {
     let found = all().find(|of| of.name == name);
     if let Some(of) = found {
-        of.set(factor);
+        of.bits.store(factor.to_bits(), Ordering::Relaxed);
     }
     found.is_some()
 }

@@ -69,6 +69,15 @@ impl<'t, S: Real> Trace<'t, S> {
         Self { terms, variables, next: Cell::new(variables), window: Cell::new(window) }
     }
 
+    /// The variable with this index; a constant where there are fewer.
+    #[inline]
+    pub fn variable(&'t self, value: S, index: usize) -> Traced<'t, S> {
+        match index as u64 {
+            place if place < self.variables => Traced::at(value, place, self),
+            _ => Traced::constant(value),
+        }
+    }
+
     /// How many variables there are.
     pub fn variables(&self) -> usize {
         self.variables as usize

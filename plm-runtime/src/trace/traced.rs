@@ -19,17 +19,6 @@ pub struct Traced<'t, S = f64> {
     trace: Option<&'t Trace<'t, S>>,
 }
 
-impl<'t, S: Real> Trace<'t, S> {
-    /// The variable with this index; a constant where there are fewer.
-    #[inline]
-    pub fn variable(&'t self, value: S, index: usize) -> Traced<'t, S> {
-        match index as u64 {
-            place if place < self.variables => Traced::at(value, place, self),
-            _ => Traced::constant(value),
-        }
-    }
-}
-
 impl<'t, S: Real> Traced<'t, S> {
     /// A number that does not depend on anything.
     #[inline]

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::{fail_with, files, is_emitted, lines, shown};
+use super::{fail_with, files, is_emitted, shown};
 
 /// A file that no module names is never compiled.
 #[test]
@@ -44,19 +44,4 @@ fn every_source_file_says_what_it_is() {
         }
     }
     fail_with("files without `//!` at the top", &wrong);
-}
-
-/// Folders of the runtime whose tolerances are in `plm-runtime/src/tolerances/`.
-const WITHOUT_TOLERANCES: [&str; 2] = ["plm-runtime/src/contact/", "plm-runtime/src/events/"];
-
-#[test]
-fn tolerances_of_contact_and_events_have_one_folder() {
-    let mut wrong = Vec::new();
-    for (file, place, line) in lines(files(&["rs"])) {
-        let is_tuned = line.trim_start().contains("const ") && line.contains(": f64 =");
-        if is_tuned && WITHOUT_TOLERANCES.iter().any(|folder| file.starts_with(folder)) {
-            wrong.push(format!("{place}: {}", line.trim()));
-        }
-    }
-    fail_with("tolerances outside of plm-runtime/src/tolerances", &wrong);
 }

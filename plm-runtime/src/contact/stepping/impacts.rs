@@ -3,14 +3,17 @@
 use super::solver::{Rule, solve};
 use super::{Motion, Stride, problem};
 use crate::contact::booked::Struck;
+use crate::contact::event::CLOSED;
 use crate::contact::impact::{Answer, ImpactLaw, Impulses, impulses};
 use crate::contact::modes::{Mode, Modes};
 use crate::contact::rows::{Law, Rows, below, indices};
 use crate::contact::{Contacts, Modal, sum_of};
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{GAP_CLOSED, PAIRS_IN_STEP};
 use crate::vector::Vector;
+
+/// Most successive impacts of pairs in one step.
+const MOST_PAIRS: u32 = 16;
 
 /// Progress of a step.
 pub(super) struct Progress<S> {
@@ -32,7 +35,7 @@ pub(super) fn impacts<M: Contacts<N>, const N: usize>(
     let mut struck = Struck::nothing();
     let Some(mut row) = striking(stride, (laws, exists), &motion.rows) else { return Ok(struck) };
     let law = system.impact_law();
-    let most = if law == ImpactLaw::Sequential { PAIRS_IN_STEP } else { 1 };
+    let most = if law == ImpactLaw::Sequential { MOST_PAIRS } else { 1 };
     let moved_by_time = rates_at_rest(system, stride, u, x);
     let touches = touches(stride, (laws, exists), &motion.rows, (u.modes(), system.length()));
     for pair in 1..=most {
@@ -127,7 +130,7 @@ fn touches<S: Real, const N: usize>(
     core::array::from_fn(|i| {
         let is_near = || {
             let was_closed = modes.of[i] == Mode::Closed || modes.carried[i];
-            was_closed || rows.gap[i] <= GAP_CLOSED.of::<S>() * length || closes(stride, rows, i)
+            was_closed || rows.gap[i] <= S::lit(CLOSED) * length || closes(stride, rows, i)
         };
         exists[i] && (!laws[i].is_unilateral() || is_near())
     })

@@ -6,7 +6,9 @@ use super::solver::{Rule, Solved, eliminate, solve};
 use crate::contact::modes::{Mode, Modes};
 use crate::contact::rows::{Law, Rows, below};
 use crate::scalar::Real;
-use crate::tolerances::{STICKS_AT_FIRST, resolved};
+
+/// Rate, as a fraction of the change by accelerations in a step, below which a friction is assumed to stick at first.
+const NO_SLIP: f64 = 1e-9;
 
 /// Rows of a step. Their free accelerations become the rates at the end of the step without contact forces over its length, with
 /// `slack`.
@@ -30,7 +32,7 @@ impl<S: Real, const N: usize> Problem<S, N> {
         let rules = core::array::from_fn(|i| Rule::of(&laws[i], exists[i]));
         let (share, closing) = (ahead * inverse, inverse / behind);
         let fastest = rows.free.iter().fold(S::ZERO, |most, free| most.max(free.abs()));
-        let none = resolved::<S>(STICKS_AT_FIRST) * stride.h * fastest;
+        let none = S::lit(NO_SLIP).max(S::lit(64.0) * S::EPSILON) * stride.h * fastest;
         let mut problem = Self { rules, guess: before.of, slack: [S::ZERO; N], h: stride.h };
         for i in 0..N {
             // (3): free acceleration and bias are those of the intermediate place.

@@ -12,7 +12,6 @@ use crate::contact::modes::Mode;
 use crate::contact::multipliers::equation;
 use crate::contact::rows::{Law, Limit, Rows, below, indices};
 use crate::scalar::Real;
-use crate::tolerances::{CARRIED, LAW_MET, ROW_DEPENDENT, STEP_SWEEPS, resolved};
 use crate::vector::Vector;
 
 /// Number of rounds in which every row may change its mode, and of rounds after these in which one row alone may: by the rows that exist,
@@ -22,6 +21,16 @@ fn rounds<const N: usize>(rules: &[Rule; N]) -> [u32; 2] {
     let rows = rules.iter().filter(|rule| !matches!(rule, Rule::Absent(_))).count() as u32;
     [2 * rows + 2, 2 * rows]
 }
+
+/// Sweeps after these rounds.
+const SWEEPS: u32 = 32;
+/// Error of a law, in roundings of the terms of the acceleration, below which it is satisfied.
+const ROUNDING: f64 = 64.0;
+/// Pivot below which a row depends on others, relative to a diagonal of one.
+const DEPENDENT: f64 = 1e-9;
+
+/// Relative error of a row that others carry: its rate follows from theirs to the accuracy of its dependence.
+const CARRIED: f64 = 1e-6;
 
 /// The law of a row in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,7 +130,7 @@ fn swept<S: Real, const N: usize>(
 ) -> Solved<S, N> {
     let modes = best.as_ref().map_or([Mode::Open; N], |best| best.modes);
     let mut lambda = *from;
-    for _ in 0..STEP_SWEEPS {
+    for _ in 0..SWEEPS {
         for i in 0..N {
             let own = rows.delassus[i][i];
             // False for NaN.
@@ -209,7 +218,7 @@ fn look<S: Real, const N: usize>(
         };
         let off = (force - within).abs();
         // False for NaN.
-        let none = if dropped[i] { CARRIED.of::<S>() } else { LAW_MET.of::<S>() * S::EPSILON };
+        let none = if dropped[i] { S::lit(CARRIED) } else { S::lit(ROUNDING) * S::EPSILON };
         let is_rounding = off <= none * size(rows, i, &lambda);
         is_met &= is_rounding;
         residual = residual.max(if is_rounding || off > S::ZERO { off } else { S::INFINITY });
@@ -297,7 +306,7 @@ pub(super) fn eliminate<S: Real, const N: usize>(
             (matrix[i], right[i]) = equation(rows, (modes[i], directions), i);
         }
     }
-    let least = resolved::<S>(ROW_DEPENDENT);
+    let least = S::lit(DEPENDENT).max(S::lit(ROUNDING) * S::EPSILON);
     let mut used = active;
     for k in 0..N {
         // False for NaN, as for a row without direction.

@@ -6,7 +6,8 @@
 //! coefficients themselves are small there: a method of order k has steps over which the derivative of order k changes the
 //! rate by about the tolerance, and a term of x^m has the factor 1/m!.
 
-use super::coefficients::{Coefficients, MOST};
+use super::MOST;
+use super::coefficients::Coefficients;
 use super::differences::Differences;
 use crate::method::Path;
 use crate::method::embedded::Span;

@@ -1,10 +1,9 @@
 //! Coefficients of steps of variable length (Shampine and Gordon, chapter 5, and the program STEP of chapter 10).
 
+use super::MOST;
 use crate::scalar::Real;
 use crate::vector::Vector;
 
-/// Highest order of a prediction; a correction has one more.
-pub(super) const MOST: usize = 12;
 /// Length of the arrays; entries are numbered from 1, as in the book.
 const ROOM: usize = MOST + 3;
 

@@ -2,7 +2,8 @@
 //!
 //! Coordinates have none: their rates are the velocities, and both follow from the same accelerations.
 
-use super::coefficients::{Coefficients, MOST};
+use super::MOST;
+use super::coefficients::Coefficients;
 use crate::scalar::{Real, Scalar};
 use crate::system::System;
 use crate::vector::Vector;

@@ -18,6 +18,9 @@ use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
 use crate::vector::Vector;
 
+/// Highest order of a prediction; a correction has one more.
+const MOST: usize = 12;
+
 /// Adams' formulas of order 1 to 13, with order and steps chosen by the errors: two evaluations a step, for long smooth runs of large
 /// mechanisms (L. F. Shampine, M. K. Gordon, Computer Solution of Ordinary Differential Equations, 1975).
 ///

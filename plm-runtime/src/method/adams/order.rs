@@ -1,6 +1,7 @@
 //! Order and length of the next step (Shampine and Gordon, chapter 7, and the program STEP).
 
-use super::coefficients::{Coefficients, EQUAL_STEPS, MOST};
+use super::MOST;
+use super::coefficients::{Coefficients, EQUAL_STEPS};
 use crate::scalar::Real;
 use crate::vector::Vector;
 

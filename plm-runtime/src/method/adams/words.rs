@@ -1,7 +1,6 @@
 //! Adams' formulas as words.
 
-use super::coefficients::MOST;
-use super::{Adams, Past};
+use super::{Adams, MOST, Past};
 use crate::scalar::Real;
 use crate::system::System;
 use crate::words::{InWords, Words};

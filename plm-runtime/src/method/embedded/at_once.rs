@@ -8,6 +8,13 @@ use crate::method::{Context, Evaluated};
 use crate::scalar::Real;
 use crate::system::{Computation, Health, System};
 
+/// Content of the dense output of such a step: most need values alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Known {
+    Values,
+    Derivatives,
+}
+
 /// A step of a pair without a decision and a second attempt: its end and its stages, which have derivatives or are
 /// `VALUES`.
 struct OfPair<P, const VALUES: bool>(PhantomData<P>);

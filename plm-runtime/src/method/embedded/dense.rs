@@ -6,13 +6,6 @@ use crate::scalar::Real;
 use crate::system::values;
 use crate::vector::Vector;
 
-/// Content of the dense output of a step that is made at once: most need values alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Known {
-    Values,
-    Derivatives,
-}
-
 /// An accepted step: its ends and the rates there.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Span<S, X> {

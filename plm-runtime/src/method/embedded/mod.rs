@@ -13,8 +13,8 @@ mod words;
 pub use self::pair::{Limits, Pair};
 pub(super) use self::stages::{Rows, stages};
 
+use self::at_once::Known;
 use self::control::Control;
-use self::dense::Known;
 pub(super) use self::dense::Span;
 pub(super) use self::start::first_step;
 pub(super) use self::tableau::pair;

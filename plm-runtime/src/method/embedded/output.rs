@@ -1,6 +1,6 @@
 //! Dense output of the last step.
 
-use super::dense::Known;
+use super::at_once::Known;
 use super::{Embedded, Pair, Span};
 use crate::fault::Fault;
 use crate::method::{Context, DenseOutput, Path};

@@ -11,7 +11,6 @@ use super::{Context, DenseOutput, ErrorControl, FixedLength, Method, drift_of_si
 use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, System};
-use crate::tolerances;
 use crate::vector::Vector;
 use crate::words::{InWords, Words};
 
@@ -48,7 +47,7 @@ impl<M: System<S: Real>, const STAGES: usize> Gauss<M, STAGES> {
     pub fn new(longest_step: M::S) -> Self {
         Self {
             longest_step,
-            tolerance: tolerances::drift(),
+            tolerance: M::S::lit(1e-10).max(M::S::lit(64.0) * M::S::EPSILON),
             partition: Partition::none(),
             last: None,
             rounded: M::X::fill(M::S::ZERO),

@@ -48,7 +48,7 @@ const KNOWN: [Known; COUNT] = [
     Known::value(
         "sensitivity",
         "NAME",
-        "multiplies tolerances whose name contains this, or `all` of poses, by 10 and by 0.1: a table",
+        "multiplies tolerances whose name contains this, or `all`, by 10 and by 0.1: a table",
     ),
 ];
 
