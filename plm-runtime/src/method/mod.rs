@@ -14,7 +14,7 @@
 //! | [`RadauIia5`] | 5, dense output of order 3; L-stable | by error control |
 //!
 //! A method owns the data that it stores from step to step (its proposal for the next one, the last rate), so that a
-//! saved copy of it resumes to the bit. The formulas of the fixed-step methods are usable alone, for any [`Scalar`](crate::Scalar).
+//! saved copy of it resumes to the bit. The formulas of the fixed-step methods are usable alone, for any [`Scalar`].
 
 mod adams;
 mod adaptive;
