@@ -122,11 +122,6 @@ mod starts;
 
 #[cfg(feature = "lanes")]
 pub use lanes::{Batch, F64x8};
-#[cfg(feature = "analysis")]
-pub use plm_analysis::{
-    Auto, Change, Choice, Equilibrium, Freedom, Linearisable, Linearisation, Mode, Pace, Residual, Shape,
-    Stabilise, StartAuto, Support, Unbalanced, What, control, linearise, stabilise,
-};
 /// Mechanisms at run time: a declaration from text runs without rustc.
 #[cfg(feature = "dynamic")]
 #[doc(inline)]
@@ -135,16 +130,21 @@ pub use plm_dynamic as dynamic;
 #[cfg(feature = "jit")]
 #[doc(inline)]
 pub use plm_jit as jit;
+#[cfg(feature = "analysis")]
+pub use plm_studies::analysis::{
+    Auto, Change, Choice, Equilibrium, Freedom, Linearisable, Linearisation, Mode, Pace, Residual, Shape,
+    Stabilise, StartAuto, Support, Unbalanced, What, control, linearise, stabilise,
+};
 /// Parameters, starts and inputs from measurements, or for the least cost.
 #[cfg(feature = "optimise")]
 #[doc(inline)]
-pub use plm_optimise as optimise;
-#[cfg(feature = "batch")]
-pub use plm_study::{batch, study};
+pub use plm_studies::optimise;
 /// Dimensions of mechanisms from what they have to do, questions of kinematics, balancing, tolerances.
 #[cfg(feature = "synthesis")]
 #[doc(inline)]
-pub use plm_synthesis as synthesis;
+pub use plm_studies::synthesis;
+#[cfg(feature = "batch")]
+pub use plm_studies::{batch, study};
 #[cfg(feature = "std")]
 pub use starts::{BadStarts, StartProblem, read_starts};
 

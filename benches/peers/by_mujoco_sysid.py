@@ -2,7 +2,7 @@
 """Length, damping and start of a pendulum by 60 readings, identified by MuJoCo's toolbox for system identification: error and time.
 
     pip install 'mujoco[sysid]'
-    cargo run --release -p plm-optimise --example pictures -- --time
+    cargo run --release -p plm-studies --example pictures -- --time
     python3 benches/peers/by_mujoco_sysid.py
 
 The problem is that of `by_scipy.py`: the same guess, and readings of SciPy's DOP853 at a tolerance of 1e-13. The toolbox compiles a model

@@ -2,7 +2,7 @@
 """Length, damping and start of a pendulum by 60 readings, identified by plm and by SciPy's least_squares: error and time.
 
     pip install scipy
-    cargo run --release -p plm-optimise --example pictures -- --time
+    cargo run --release -p plm-studies --example pictures -- --time
     python3 benches/peers/by_scipy.py
 
 Both begin at the same guess and have the same readings, of a run with a tolerance of 1e-13. SciPy's Jacobian is by differences, as

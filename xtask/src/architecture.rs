@@ -22,28 +22,25 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 }
 
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
-const PLACES: [Place; 21] = [
-    place("plm-planar", "plm, the users' crate", 480, 0),
-    place("plm-cli", "the command line", 274, 0),
-    place("plm-jit", "machine code", 334, 1),
-    place("plm-source", "C99", 84, 1),
-    place("plm-macros", "the macros", 84, 2),
-    place("plm-dynamic", "mechanisms from text", 384, 2),
-    place("plm-import", "files of others", 234, 2),
-    place("plm-optimise", "fits and controls", 734, 2),
-    place("plm-program", "whole programs", 584, 2),
+const PLACES: [Place; 18] = [
+    place("plm-planar", "plm, the users' crate", 620, 0),
+    place("plm-cli", "the command line", 236, 0),
+    place("plm-jit", "machine code", 506, 1),
+    place("plm-source", "C99", 370, 1),
+    place("plm-macros", "the macros", 84, 1),
+    place("plm-dynamic", "mechanisms from text", 512, 2),
+    place("plm-import", "files of others", 146, 2),
+    place("plm-program", "whole programs", 712, 1),
     place("plm-compiler", "declaration to code", 84, 3),
-    place("plm-python", "runs for Python", 664, 3),
-    place("plm-cas", "symbolic algebra", 84, 4),
-    place("plm-study", "many runs", 240, 4),
-    place("plm-synthesis", "dimensions", 234, 3),
-    place("plm-run", "methods by name", 400, 4),
-    place("plm-foreign", "C and FMUs", 560, 4),
-    place("plm-analysis", "linear systems", 720, 4),
-    place("plm-view", "results, the page", 876, 4),
-    place("plm-runtime", "contracts, the step", 480, 5),
-    place("plm-math", "sin, sqrt and kin", 480, 6),
-    place("plm-processor", "square roots", 480, 7),
+    place("plm-python", "runs for Python", 840, 2),
+    place("plm-studies", "fits, dimensions", 234, 3),
+    place("plm-cas", "symbolic algebra", 128, 4),
+    place("plm-run", "methods by name", 700, 3),
+    place("plm-foreign", "C and FMUs", 830, 4),
+    place("plm-view", "results, the page", 552, 4),
+    place("plm-runtime", "contracts, the step", 622, 5),
+    place("plm-math", "sin, sqrt and kin", 400, 6),
+    place("plm-processor", "square roots", 400, 7),
 ];
 
 /// Crates that do chores of the repository.

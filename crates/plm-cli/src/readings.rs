@@ -1,7 +1,7 @@
 //! Readings of an experiment, from a table in units of any kind.
 
 use plm_dynamic::Mechanism;
-use plm_optimise::Experiment;
+use plm_studies::optimise::Experiment;
 use plm_view::{Column, Recording};
 
 use crate::value::value;

@@ -4,7 +4,7 @@
 //! hold (2 or 3 choices for each unknown). Of closed forms that are not linear the sum around what was found says whether it is least there.
 
 use plm_dynamic::Mechanism;
-use plm_optimise::{ByDop853, Experiment, Identification, Unknown};
+use plm_studies::optimise::{ByDop853, Experiment, Identification, Unknown};
 
 use crate::draw::Draw;
 use crate::sweep::{Case, Verdict};

@@ -65,5 +65,5 @@ pub(crate) const OLD_WORDS: [(&str, &str, &str); 64] = [
     ("crates/plm-foreign/src/fmi/", "trouble", "error"),
     ("crates/plm-foreign/src/ffi/", "trouble", "error"),
     ("src/live", "trouble", "error"),
-    ("crates/plm-analysis/src/stabilise/", "look", "evaluation"),
+    ("crates/plm-studies/src/analysis/stabilise/", "look", "evaluation"),
 ];

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use plm_dynamic::{Dynamic, Integrator, Mechanism};
-use plm_optimise::{ByDop853, ByRadau, Error, Fit, Identification, Integration, Progress};
+use plm_studies::optimise::{ByDop853, ByRadau, Error, Fit, Identification, Integration, Progress};
 use plm_view::{Page, Results};
 
 mod asked;

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
-use plm_analysis::{Linearisation, Shape, linearise};
 use plm_dynamic::{Error, Mechanism, OnRun};
 use plm_runtime::held::Discrete;
 use plm_runtime::{BodyState, Described, Fault, Linear, Method, Moment, Sim, StartValues, Statics};
+use plm_studies::analysis::{Linearisation, Shape, linearise};
 use plm_view::{Page, Recorder, Recording, Results};
 
 use super::run::{refused, setting};
@@ -164,11 +164,12 @@ fn at_rest<M>(state: &M::State) -> Result<M::State, Lacking>
 where
     M: Described<S = f64> + Statics + Linear<Lifted<1>: Described + Statics>,
 {
-    let mut rest = plm_analysis::stabilise(state)?;
+    let mut rest = plm_studies::analysis::stabilise(state)?;
     if !rest.residuals.is_empty() {
         let mut free = *state.mechanism();
         free.starts_mut().each(&mut |_, start| start.locked = false);
-        rest = plm_analysis::stabilise(&M::State::new(free, state.held(), state.time(), *state.x()))?;
+        rest =
+            plm_studies::analysis::stabilise(&M::State::new(free, state.held(), state.time(), *state.x()))?;
     }
     let rest = rest.balanced().map_err(|why| Lacking::Equilibrium(why.to_string()))?;
     Ok(*rest.start()?.state())

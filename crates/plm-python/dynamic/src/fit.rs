@@ -2,7 +2,7 @@
 
 use plm_cli::{Found, with_values};
 use plm_dynamic::Dynamic;
-use plm_optimise::{Error, Fit as Fitted, Integration};
+use plm_studies::optimise::{Error, Fit as Fitted, Integration};
 use plm_runtime::Fault;
 use plm_view::{Page, Results};
 use pyo3::exceptions::PyValueError;

@@ -7,7 +7,7 @@ use std::thread;
 use plm_cli::value;
 use plm_dynamic::{Integrator, Mechanism};
 use plm_foreign::Kind;
-use plm_optimise::{ByDop853, ByRadau, Error, Experiment, Identification, Integration, Unknown};
+use plm_studies::optimise::{ByDop853, ByRadau, Error, Experiment, Identification, Integration, Unknown};
 use plm_python::run::method;
 use plm_view::Recording;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};

@@ -1,9 +1,9 @@
 //! A run behind a dynamic interface, which hides mechanism and method: all operations that Python needs.
 
-use plm_analysis::{DMatrix, Linearisation, linearise};
 use plm_foreign::{Error, Kind, Status};
 use plm_runtime::described::by_number;
 use plm_runtime::{Fault, Method, Moment, Notice, Sim, Stats};
+use plm_studies::analysis::{DMatrix, Linearisation, linearise};
 
 use super::record::{Asked, NoRoom, Record, record, room, rows};
 use super::state;

@@ -1,9 +1,9 @@
 //! The state of a run as numbers: read, set, its rates and their derivatives.
 
-use plm_analysis::{DMatrix, Derivatives, derivatives};
 use plm_runtime::events::switch_where_due;
 use plm_runtime::held::Discrete;
 use plm_runtime::{Cause, Fault, Method, Moment, Sim, Start, StartValues, Vector};
+use plm_studies::analysis::{DMatrix, Derivatives, derivatives};
 
 use super::Runnable;
 

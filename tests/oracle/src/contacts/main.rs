@@ -83,7 +83,7 @@ fn sweep() -> Result<bool, BadOption> {
         println!("{}", told(&Case::new(seed, number, only.as_deref()), tolerance));
     }
     let numbers: Vec<u64> = one.map_or((first..first + cases).collect(), |number| vec![number]);
-    let runs = plm_study::batch::points(numbers)
+    let runs = plm_studies::batch::points(numbers)
         .threads(threads)
         .quiet()
         .run(|number| Ok(Case::new(seed, number, only.as_deref()).judge()));

@@ -11,7 +11,7 @@ use super::reference::Scene;
 
 /// Folders of Rust files for readers, some of which have a `mechanism!`.
 const FOLDERS: [&str; 4] =
-    ["examples", "benches", "crates/plm-optimise/examples", "crates/plm-program/examples"];
+    ["examples", "benches", "crates/plm-studies/examples", "crates/plm-program/examples"];
 /// A folder of declarations.
 const STABILITY: &str = "tests/oracle/stability/declared";
 

@@ -1,12 +1,12 @@
-//! `plm-analysis` and `plm-study` with hostile numbers.
+//! Linear systems and studies with hostile numbers.
 
 use std::hint::black_box;
 
-use plm_analysis::control::{Cost, continuous_riccati, discrete_riccati, frequencies, root_locus};
-use plm_analysis::{DMatrix, Linearisation, linearise, stabilise};
 use plm_dynamic::{Dynamic, Mechanism};
 use plm_runtime::Mechanism as _;
-use plm_study::study::{Points, Spread, linear};
+use plm_studies::analysis::control::{Cost, continuous_riccati, discrete_riccati, frequencies, root_locus};
+use plm_studies::analysis::{DMatrix, Linearisation, linearise, stabilise};
+use plm_studies::study::{Points, Spread, linear};
 
 use super::{Call, Hostile, Outcome, ended};
 

@@ -1,7 +1,7 @@
-//! `plm-optimise` with hostile numbers.
+//! `plm::optimise` with hostile numbers.
 
 use plm_dynamic::Mechanism;
-use plm_optimise::{ByDop853, Control, Experiment, Identification, Loss, Unknown, base_parameters};
+use plm_studies::optimise::{ByDop853, Control, Experiment, Identification, Loss, Unknown, base_parameters};
 
 use super::{Call, Hostile, Outcome, ended};
 

@@ -1,18 +1,18 @@
-//! `plm-synthesis` with hostile numbers.
+//! `plm::synthesis` with hostile numbers.
 
 use std::hint::black_box;
 
-use plm_synthesis::balance::{balance_spring, counterweights};
-use plm_synthesis::function::{Pair, Scales, chebyshev, generators};
-use plm_synthesis::kinematics::{
+use plm_studies::synthesis::balance::{balance_spring, counterweights};
+use plm_studies::synthesis::function::{Pair, Scales, chebyshev, generators};
+use plm_studies::synthesis::kinematics::{
     Build, FiveBar, Joint, Link, Loop, SliderCrank, centrodes, images, kennedy, loop_images, mobility,
 };
-use plm_synthesis::motion::{
+use plm_studies::synthesis::motion::{
     BodyPose, Dyad, burmester_curves, centre_point, circle_point, five_pose_dyads, guides,
 };
-use plm_synthesis::path::{self, Crank, Path, Timing};
-use plm_synthesis::six_bar::{self, Chain, Task};
-use plm_synthesis::{Demands, FourBar, Image, LinkMass};
+use plm_studies::synthesis::path::{self, Crank, Path, Timing};
+use plm_studies::synthesis::six_bar::{self, Chain, Task};
+use plm_studies::synthesis::{Demands, FourBar, Image, LinkMass};
 
 use super::{Call, Hostile, Outcome, refusing};
 

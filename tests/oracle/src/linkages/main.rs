@@ -114,7 +114,7 @@ fn sweep(options: &Options) -> bool {
     let clock = Instant::now();
     println!("seed {}, {} cases", options.seed, options.cases);
     let numbers = numbers(options);
-    let points = plm_study::batch::points(numbers).quiet();
+    let points = plm_studies::batch::points(numbers).quiet();
     let points = match options.threads {
         Some(threads) => points.threads(threads),
         None => points,

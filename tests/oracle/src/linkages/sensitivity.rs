@@ -65,7 +65,7 @@ pub fn print(options: &Options, name: &str) -> ExitCode {
 fn cases(options: &Options) -> Vec<Beside> {
     let has_loops = |number: &u64| KINDS[Case::kind_of(*number)].name != "tree";
     let numbers = crate::numbers(options).into_iter().filter(has_loops).collect::<Vec<_>>();
-    let runs = plm_study::batch::points(numbers).quiet().run(|number| {
+    let runs = plm_studies::batch::points(numbers).quiet().run(|number| {
         let case = crate::drawn(options, number);
         let known = known(&case, options.double);
         Ok(Beside { case, known })
@@ -76,7 +76,7 @@ fn cases(options: &Options) -> Vec<Beside> {
 impl Swept {
     fn of(options: &Options, cases: &[Beside]) -> Self {
         let clock = Instant::now();
-        let runs = plm_study::batch::points(0..cases.len()).quiet().run(|index| {
+        let runs = plm_studies::batch::points(0..cases.len()).quiet().run(|index| {
             let Beside { case, known } = &cases[index];
             Ok(judge_by(case, options.double, known.as_ref()))
         });

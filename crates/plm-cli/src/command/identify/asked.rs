@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use plm_dynamic::{Integrator, Mechanism};
-use plm_optimise::{Experiment, Loss, Unknown};
+use plm_studies::optimise::{Experiment, Loss, Unknown};
 use plm_view::Recording;
 
 use super::super::Failure;

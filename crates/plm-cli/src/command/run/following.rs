@@ -104,15 +104,15 @@ struct AtStart(f64);
 
 #[cfg(feature = "identify")]
 impl plm_dynamic::OnRun for AtStart {
-    type Output = plm_analysis::Choice;
+    type Output = plm_studies::analysis::Choice;
 
-    fn on<M, I>(self, sim: &mut plm_runtime::Sim<M, I>) -> plm_analysis::Choice
+    fn on<M, I>(self, sim: &mut plm_runtime::Sim<M, I>) -> plm_studies::analysis::Choice
     where
         M: plm_runtime::Described<S = f64, U: plm_runtime::held::Discrete>
             + plm_runtime::Statics
             + plm_runtime::Linear<Lifted<1>: plm_runtime::Described + plm_runtime::Statics>,
         I: plm_runtime::Method<M>,
     {
-        plm_analysis::Choice::at(sim.state(), self.0)
+        plm_studies::analysis::Choice::at(sim.state(), self.0)
     }
 }

@@ -156,7 +156,7 @@ fn judge(driven: &Driven, seen: impl FnOnce(&Run)) -> Option<String> {
 
 /// So many drives of a seed, run.
 pub fn all(seed: u64, count: u64) -> Vec<Told> {
-    let points = plm_study::batch::points((0..count).collect::<Vec<u64>>()).quiet();
+    let points = plm_studies::batch::points((0..count).collect::<Vec<u64>>()).quiet();
     let runs = points.run(|number| Ok(Driven::draw(seed, number).told()));
     runs.all().expect("what is wrong with a drive is a value")
 }

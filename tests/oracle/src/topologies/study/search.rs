@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use plm_dynamic::{Error, Refused};
-use plm_study::batch;
+use plm_studies::batch;
 
 use super::chains::{Point, SixBar};
 use super::straight::{Portion, longest};
