@@ -1,7 +1,9 @@
 //! Steps of fixed length by themselves, as targets make them.
 
-use plm_runtime::{Fault, Health, Real, step};
+use plm_runtime::contact::{Solution, Stride};
+use plm_runtime::{Events, Fault, Health, Moment, MoreauJean, Rate, Real, step};
 
+use crate::handle::Dynamic;
 use crate::numbers::Numbers;
 use crate::run::{Error, Mechanism};
 use crate::sizes::{Large, Models, Small, with_inputs};
@@ -58,6 +60,24 @@ impl Steps {
         of_each!(&mut self.0, state => one(state, h))
     }
 
+    /// Makes a step of `h`, s, by the time stepping of J. J. Moreau and M. Jean, over impacts and friction: what compiled code does where a
+    /// declaration orders `emit: step(moreau_jean)`.
+    ///
+    /// # Errors
+    /// Those of [`plm_runtime::step::moreau_jean`]; the mechanism stays as it was.
+    pub fn step_moreau_jean(&mut self, h: f64) -> Result<Solution<f64>, Fault> {
+        of_each!(&mut self.0, state => step::moreau_jean::<_, _, 1>(&mut **state, h, MoreauJean::<f64>::THETA))
+    }
+
+    /// The coordinates, velocities and first-order states to which the formula of [`step_moreau_jean`](Self::step_moreau_jean) leads from
+    /// here in numbers of a type, to which all numbers are rounded.
+    ///
+    /// # Errors
+    /// Those of the step.
+    pub fn moreau_jean_in<S: Real>(&self, h: f64) -> Result<Vec<S>, Fault> {
+        of_each!(&self.0, state => state.moreau_jean_in(h))
+    }
+
     /// All its numbers.
     pub fn numbers(&self) -> Numbers {
         of_each!(&self.0, state => state.numbers())
@@ -87,4 +107,27 @@ fn one<
         (*x, health) = step::rk4(system, t, held, *x, h);
         Ok(health)
     })
+}
+
+impl<
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+    const P: usize,
+> State<f64, NQ, NC, N, L, H, R, P>
+{
+    fn moreau_jean_in<S: Real>(&self, h: f64) -> Result<Vec<S>, Fault> {
+        let number = |number: f64| S::lit(number);
+        let own = self.mechanism().map(&number);
+        let mut held = Dynamic::<f64, NQ, NC, N, L, H, R, P>::map_held(&self.held(), &number);
+        let mut x = self.x().map(number);
+        let stride =
+            Stride { t: number(self.time()), h: number(h), theta: number(MoreauJean::<S>::THETA) };
+        own.stride::<1>(&stride, &mut held, &mut x, |_, _, _| Ok(()))?;
+        let mechanism = self.mechanism();
+        Ok((0..N).filter(|place| mechanism.has_number(*place)).map(|place| x[place]).collect())
+    }
 }

@@ -39,7 +39,7 @@ pub use self::declared::Declared;
 pub use self::gradient::{By, Derivative};
 pub use self::handle::{Dynamic, Starts};
 pub use self::native::{Element, Function, Input, MachineCode, Tier, Translator};
-pub use self::numbers::Numbers;
+pub use self::numbers::{Numbers, RowNumbers};
 pub use self::record::{Reason, Sample, Watch};
 pub use self::run::{Error, Mechanism, Run};
 pub use self::running::OnRun;

@@ -1,6 +1,7 @@
 //! All numbers of a run at one moment, by what they are: for whoever writes them down.
 
 use plm_runtime::charts::OfLoops;
+use plm_runtime::contact::Mode;
 use plm_runtime::{Moment, Rate};
 
 use crate::system::State;
@@ -24,6 +25,21 @@ pub struct Numbers {
     pub chart: Option<usize>,
     /// Continuation data of the loops, in the order of storage.
     pub memory: Vec<f64>,
+    /// The rows of contact, and the reactions that bound frictions, at the same places.
+    pub contacts: Vec<RowNumbers>,
+}
+
+/// The numbers of a row of contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RowNumbers {
+    /// Its mode.
+    pub mode: Mode,
+    /// Others carry it.
+    pub is_carried: bool,
+    /// The displacement at which it sticks, m or rad.
+    pub place: f64,
+    /// The reaction at this place is negative.
+    pub is_negative: bool,
 }
 
 impl<
@@ -41,6 +57,14 @@ impl<
         let (mechanism, held) = (self.mechanism(), self.held());
         let lowered = mechanism.model.lowered;
         let first = |all: &[f64], count: usize| all.iter().take(count).copied().collect();
+        let modes = &held.contact.modes;
+        let is = |all: &[bool], k: usize| all.get(k) == Some(&true);
+        let row = |k: usize| RowNumbers {
+            mode: modes.of.get(k).copied().unwrap_or(Mode::Open),
+            is_carried: is(&modes.carried, k),
+            place: modes.place.get(k).copied().unwrap_or(0.0),
+            is_negative: is(&modes.negative, k),
+        };
         let (chart, memory) = match &held.of_loops {
             OfLoops::InChart { chart, continuation } => (Some(*chart), continuation.all()),
             OfLoops::Free { .. } => (None, Vec::new()),
@@ -53,6 +77,7 @@ impl<
             sides: first(&held.switches, lowered.switches.all.len()),
             turns: held.turns.iter().take(lowered.turns.len()).copied().collect(),
             chart: chart.filter(|_| lowered.loops.is_some()),
+            contacts: (0..lowered.contacts.as_ref().map_or(0, |contacts| contacts.places)).map(row).collect(),
             memory: if lowered.loops.is_some() { memory } else { Vec::new() },
         }
     }

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use plm_compiler::model::ContactMode;
 use plm_compiler::lowered::{Operation, Routine, Target};
 use plm_compiler::{OfScalar, Source};
 use plm_runtime::Scalar;
@@ -30,6 +31,8 @@ pub(crate) enum Argument {
     Side(usize),
     /// The whole revolutions of a count.
     Turns(usize),
+    /// 1 where a row of contact is open, or else where it sticks.
+    Mode(usize, bool),
     /// A number of the continuation data of loops.
     Remembered(usize),
     /// An element of an array.
@@ -214,7 +217,7 @@ impl Block {
         routine.results.iter().map(|(target, register)| (*target, result(register))).collect()
     }
 
-    /// A source as a value: a number of the scalar, or an argument. Sources that only contact has are zero.
+    /// A source as a value: a number of the scalar, or an argument; the multipliers of contact are the array `force`.
     pub(crate) fn source(&mut self, source: Source) -> Value {
         let argument = match source {
             Source::Time => Argument::Time,
@@ -232,7 +235,9 @@ impl Block {
                     OfScalar::Precision => precision,
                 });
             }
-            Source::Multiplier(_) | Source::Mode(..) | Source::Number(_) => return self.number(0.0),
+            Source::Multiplier(k) => Argument::Element("force", k),
+            Source::Mode(k, mode) => Argument::Mode(k, mode == ContactMode::Open),
+            Source::Number(_) => return self.number(0.0),
         };
         self.argument(argument)
     }

@@ -9,12 +9,13 @@ use plm_runtime::Real;
 
 use crate::Precision;
 use crate::block::Argument;
+use crate::contact;
 use crate::dialect::Dialect as _;
 use crate::plan::Plan;
 use crate::rk4;
 
 /// The length of the step, s: exact in all precisions.
-const STEP: f64 = 1.0 / 1024.0;
+pub(crate) const STEP: f64 = 1.0 / 1024.0;
 
 /// Numbers of the start in a type.
 struct At<'a, S> {
@@ -37,6 +38,8 @@ impl<S: Real> At<'_, S> {
             Argument::Side(k) => of(self.sides, k),
             Argument::Turns(k) => S::lit(self.turns.get(k).copied().map_or(0.0, f64::from)),
             Argument::Remembered(k) => of(self.memory, k),
+            // Neither the motion without forces nor its rows read modes.
+            Argument::Mode(..) => S::ZERO,
             Argument::Element(_, k) => of(self.x, k),
         }
     }
@@ -111,8 +114,24 @@ fn check_of<S: Real>(plan: &Plan) -> String {
     let mut start = Start::<S>::new(plan);
     start.memory = memory(plan).into_iter().map(S::lit).collect();
     let chart = plan.start.chart.unwrap_or(0);
-    let Some(rate) = plan.lowered.charts.get(chart).map(|chart| &chart.rate) else { return String::new() };
     let count = plan.counts.states;
+    let t = S::lit(plan.start.time);
+    let place = if plan.is_loops() { chart } else { 0 };
+    if let Some(chart) = plan.lowered.contacts.as_ref().and_then(|contacts| contacts.charts.get(place)) {
+        let (block, results) = contact::motion(plan, chart);
+        let at = start.at(plan, t, &start.x);
+        let all = block.evaluate(|argument| at.read(argument));
+        let mut rates = vec![S::ZERO; count];
+        for (target, value) in results {
+            if let Target::Element("dx", k) = target {
+                rates[k] = all[value.index()];
+            }
+        }
+        let numbers = |step: &Vec<f64>| -> Vec<S> { step.iter().map(|number| S::lit(*number)).collect() };
+        let step = plan.over_contact.as_ref().map(numbers);
+        return text(plan, &rates, step.as_deref());
+    }
+    let Some(rate) = plan.lowered.charts.get(chart).map(|chart| &chart.rate) else { return String::new() };
     let rates = |t: S, x: &[S]| {
         let mut rates = vec![S::ZERO; count];
         for (target, value) in results(plan, rate, &start.at(plan, t, x)) {
@@ -122,14 +141,13 @@ fn check_of<S: Real>(plan: &Plan) -> String {
         }
         rates
     };
-    let t = S::lit(plan.start.time);
     let first = rates(t, &start.x);
     let step = rk4::step((t, S::lit(STEP)), &start.x, plan.counts.coordinates, rates);
-    text(plan, &first, &step)
+    text(plan, &first, Some(&step))
 }
 
 /// The text of the function, with the numbers that it expects.
-fn text<S: Real>(plan: &Plan, rates: &[S], step: &[S]) -> String {
+fn text<S: Real>(plan: &Plan, rates: &[S], step: Option<&[S]>) -> String {
     let (p, c, states) = (&plan.name, plan.c(), plan.length("x"));
     let mut text = String::new();
     let array = |numbers: &[S]| {
@@ -137,24 +155,41 @@ fn text<S: Real>(plan: &Plan, rates: &[S], step: &[S]) -> String {
         all.resize(states, c.number(0.0));
         all.join(", ")
     };
-    let [rates, step, length] = [array(rates), array(step), c.number(STEP)];
+    let [rates, after, length] = [array(rates), array(step.unwrap_or_default()), c.number(STEP)];
+    let of_contact = plan.lowered.contacts.is_some();
+    let fields = if of_contact { plan.filled("    @p@_motion motion;\n    @p@_solved solved;\n    plm_real place[@places@], health;\n    int part;\n") } else { String::new() };
+    let [own, rate, formula] = if of_contact {
+        [
+            "motion.dx",
+            "@p@_motion_in(&self, self.time, self.x, &motion)",
+            "@p@_stride(&self, LENGTH, own, &solved, place, &health, &part)",
+        ]
+    } else {
+        ["own", "@p@_rate_in(&self, self.time, self.x, own)", "@p@_formula(&self, LENGTH, own)"]
+    };
+    let [rate, formula] = [rate, formula].map(|call| plan.filled(call).replace("LENGTH", &length));
+    let table = |name: &str, numbers: &str| format!("    static const plm_real {name}[{states}] = {{ {numbers} }};\n");
+    let tables = format!("{}{}", table("rates", &rates), if step.is_some() { table("after", &after) } else { String::new() });
+    let compared = |own: &str, with: &str, number: u32| {
+        let count = plan.counts.states;
+        format!(
+            "    for (k = 0; k < {count}; k++) {{\n        if (plm_to_bits({own}[k]) != plm_to_bits({with}[k])) {{\n            return {number};\n        }}\n    }}\n"
+        )
+    };
+    // A step that cannot be made has no state.
+    let of_step = if step.is_some() { format!("    (void){formula};\n{}", compared("own", "after", 4)) } else { "    (void)own;\n".to_owned() };
     let _ = write!(
         text,
-        "/* ---- check ---- */\n\nint {p}_check(void)\n{{\n    \
-         static const plm_real rates[{states}] = {{ {rates} }};\n    \
-         static const plm_real after[{states}] = {{ {step} }};\n    \
+        "/* ---- check ---- */\n\nint {p}_check(void)\n{{\n{tables}    \
          /* A difference of numbers whose exponents are 33 apart, which the soft arithmetic of some libraries rounds wrongly. */\n    \
          const volatile plm_real one = PLM_C(1.0), small = {}, product = {};\n    \
          const plm_real difference = one - small;\n    \
          const plm_real square = product * product;\n    \
          const plm_real fused = square - one;\n    \
-         {p} self;\n    plm_real own[{states}];\n    int k;\n    \
+         {p} self;\n    plm_real own[{states}];\n{fields}    int k;\n    \
          if (plm_to_bits(difference) != plm_to_bits({})) {{\n        return 1;\n    }}\n    \
          if (plm_to_bits(fused) != plm_to_bits({})) {{\n        return 2;\n    }}\n    \
-         {p}_init(&self);\n    (void){p}_rate_in(&self, self.time, self.x, own);\n    \
-         for (k = 0; k < {}; k++) {{\n        if (plm_to_bits(own[k]) != plm_to_bits(rates[k])) {{\n            return 3;\n        }}\n    }}\n    \
-         (void){p}_formula(&self, {length}, own);\n    \
-         for (k = 0; k < {}; k++) {{\n        if (plm_to_bits(own[k]) != plm_to_bits(after[k])) {{\n            return 4;\n        }}\n    }}\n    \
+         {p}_init(&self);\n    (void){rate};\n{}{of_step}    \
          return 0;\n}}\n",
         c.number(1.3e-10),
         c.number(fused_factor::<S>()),
@@ -163,8 +198,7 @@ fn text<S: Real>(plan: &Plan, rates: &[S], step: &[S]) -> String {
             let factor = S::lit(fused_factor::<S>());
             (factor * factor - S::lit(1.0)).to_f64()
         }),
-        plan.counts.states,
-        plan.counts.states,
+        compared(own, "rates", 3),
     );
     text
 }

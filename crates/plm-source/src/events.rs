@@ -9,7 +9,7 @@ const MATTERS: &str = include_str!("c/matters.c.txt");
 const REFRESH: &str = include_str!("c/refresh.c.txt");
 const INSTANTS: &str = include_str!("c/instants.c.txt");
 
-const TIMES: Signature = Signature { reads: &[], writes: &["at", "slope"], returns: false };
+const TIMES: Signature = Signature { reads: &[], writes: &["at", "slope"], returns: false, is_forced: false };
 
 /// The functions that look for events and commit them.
 pub(crate) fn functions(plan: &Plan) -> String {

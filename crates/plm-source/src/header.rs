@@ -31,6 +31,8 @@ pub(crate) fn header(plan: &Plan) -> String {
         ("docs", docs),
         ("common", common),
         ("fields", fields(plan)),
+        ("method", method(plan).to_owned()),
+        ("rate", if plan.has_own_rate() { RATE } else { "" }.to_owned()),
         ("energy", energy(plan)),
         ("outputs", outputs(plan)),
         ("kinds", kinds(plan)),
@@ -41,6 +43,19 @@ pub(crate) fn header(plan: &Plan) -> String {
         ("p", plan.name.clone()),
     ];
     fill(HEADER, &words)
+}
+
+/// The rate.
+const RATE: &str = "\n/* The rate of the state at a time and a state of one's own, for other methods. */\n\
+    int @p@_rate(const @p@ *self, @real@ time, const @real@ x[@up@_STATES], @real@ rates[@up@_STATES]);\n";
+
+/// The method of its steps.
+fn method(plan: &Plan) -> &'static str {
+    if plan.lowered.contacts.is_some() {
+        "the time stepping of Moreau and Jean, over impacts and friction"
+    } else {
+        "the classical method of Runge and Kutta"
+    }
 }
 
 /// Text that does not end the comment that it stands in.
@@ -57,6 +72,10 @@ fn fields(plan: &Plan) -> String {
         ("@real@", "side", plan.start.sides.len(), "of each condition: -1 where it holds, else 1"),
         ("@real@", "memory", counts.memory, "of the loops, from the last checked state"),
         ("int32_t", "turns", counts.turns, "whole revolutions of angles"),
+        ("int", "mode", counts.places, "of each row of contact (PLM_CONTACT)"),
+        ("int", "carried", counts.places, "is the row at rest by others?"),
+        ("int", "negative", counts.places, "is a reaction that bounds frictions negative?"),
+        ("@real@", "place", counts.places, "at which a friction sticks, m or rad"),
     ];
     let mut text = String::new();
     for (kind, name, count, docs) in arrays.into_iter().filter(|(_, _, count, _)| *count > 0) {
@@ -64,6 +83,9 @@ fn fields(plan: &Plan) -> String {
     }
     if plan.is_loops() {
         text.push_str("    int chart; /* the coordinates that are in use, from 0 */\n");
+    }
+    if counts.places > 0 {
+        text.push_str("    @real@ residual; /* the rate by which the last step violates a law of contact, m/s or rad/s */\n");
     }
     text
 }
@@ -112,6 +134,7 @@ fn kinds(plan: &Plan) -> String {
         docs: String::new(),
     });
     let bodies = plan.lowered.bodies.iter();
+    let rows = plan.lowered.contacts.iter().flat_map(|contacts| &contacts.rows).map(|row| &row.name);
     let plain = |name: &String| Row { name: name.clone(), unit: String::new(), docs: String::new() };
     let mut text = String::new();
     for (kind, rows) in [
@@ -120,6 +143,7 @@ fn kinds(plan: &Plan) -> String {
         ("STATE", of_quantities(tables.states)),
         ("OUTPUT", outputs.collect()),
         ("BODY", bodies.map(plain).collect()),
+        ("CONTACT", rows.map(plain).collect()),
     ] {
         text.push_str(&list(kind, &rows));
     }

@@ -15,17 +15,18 @@ use crate::source::{CAUSES, parts};
 use crate::template::{fill, indented};
 
 const OUTPUTS: &str = include_str!("c/outputs.c.txt");
+const RATE: &str = include_str!("c/rate.c.txt");
 const KINDS: &str = include_str!("c/kinds.c.txt");
 
 /// Accelerations and multipliers of a tree.
-const REACTIONS: Signature = Signature { reads: &["x"], writes: &["a", "lambda"], returns: false };
+const REACTIONS: Signature = Signature { reads: &["x"], writes: &["a", "lambda"], returns: false, is_forced: true };
 /// Accelerations and multipliers by the equations in absolute coordinates.
-const SOLVED: Signature = Signature { reads: &["full"], writes: &["a", "lambda"], returns: true };
-const VALUES: Signature = Signature { reads: &["x", "q", "v"], writes: &["out"], returns: false };
+const SOLVED: Signature = Signature { reads: &["full"], writes: &["a", "lambda"], returns: true, is_forced: true };
+const VALUES: Signature = Signature { reads: &["x", "q", "v"], writes: &["out"], returns: false, is_forced: true };
 const SOLVED_VALUES: Signature =
-    Signature { reads: &["x", "q", "v", "a", "lambda"], writes: &["out"], returns: false };
-const ENERGY: Signature = Signature { reads: &["x", "q", "v"], writes: &[], returns: true };
-const LIMITED: Signature = Signature { reads: &[], writes: &["values"], returns: false };
+    Signature { reads: &["x", "q", "v", "a", "lambda"], writes: &["out"], returns: false, is_forced: true };
+const ENERGY: Signature = Signature { reads: &["x", "q", "v"], writes: &[], returns: true, is_forced: false };
+const LIMITED: Signature = Signature { reads: &[], writes: &["values"], returns: false, is_forced: false };
 
 /// The function of all outputs; none without outputs.
 pub(crate) fn outputs(plan: &Plan) -> String {
@@ -39,25 +40,30 @@ pub(crate) fn outputs(plan: &Plan) -> String {
     let signature = if solves { SOLVED_VALUES } else { VALUES };
     text.push_str(&plan.function("values", &block, &results, signature));
     let [mut solve, mut solution, mut solved] = [const { String::new() }; 3];
+    let forced = if plan.reads_forces() { ", force" } else { "" };
+    if plan.reads_forces() {
+        let _ = writeln!(solution, "    plm_real force[{}];", plan.counts.places);
+        solved.push_str("    @p@_forces(self, force);\n");
+    }
     if solves {
         solution.push_str("    plm_real a[@of_bodies@], lambda[@rows@];\n");
         let own = plan.lowered.charts.first().and_then(|chart| chart.reactions.as_ref());
         if let Some(reactions) = own.filter(|_| !plan.is_loops()) {
             solve.push_str(&plan.of_routine("solve", reactions, REACTIONS));
-            solved.push_str("    @p@_solve(self, self->time, self->x, a, lambda);\n");
+            let _ = writeln!(solved, "    @p@_solve(self, self->time, self->x{forced}, a, lambda);");
         } else {
             let (block, results) = solution_of_loops(plan);
             solve.push_str(&plan.function("solve", &block, &results, SOLVED));
             solution.push_str("    plm_real full[@full@];\n    int k;\n");
-            solved.push_str(SOLVE_LOOPS);
+            solved.push_str(&SOLVE_LOOPS.replace("full, a", &format!("full{forced}, a")));
         }
     }
-    let with_solution = if solves { ", a, lambda" } else { "" };
+    let with_solution = format!("{}{forced}", if solves { ", a, lambda" } else { "" });
     let words = [
         ("solve", solve),
         ("solution", solution),
         ("solved", solved),
-        ("with_solution", with_solution.to_owned()),
+        ("with_solution", with_solution),
         ("outputs", count.to_string()),
     ];
     text.push_str(&fill(&fill(OUTPUTS, &words), &common(plan)));
@@ -147,6 +153,7 @@ pub(crate) fn functions(plan: &Plan) -> String {
     });
     let words = [
         ("init", init(plan)),
+        ("rate", if plan.has_own_rate() { RATE } else { "" }.to_owned()),
         ("whole", whole(plan)),
         ("get", get(plan)),
         ("limits", limits(plan)),
@@ -163,6 +170,10 @@ fn quoted(text: &str) -> String {
         text.chars().map(|letter| if letter.is_ascii() && !letter.is_ascii_control() { letter } else { '?' });
     format!("\"{}\"", plain.collect::<String>().replace('\\', "\\\\").replace('"', "\\\""))
 }
+
+/// The mode of a row of contact; one that others carry is closed, or sticks.
+const OF_CONTACT: &str = "*value = (@real@)self->mode[index];\nif (self->carried[index]) {\n    \
+    *value = (@real@)((self->mode[index] <= PLM_CLOSED) ? PLM_CLOSED : PLM_STICKS);\n}\nreturn PLM_OK;\n";
 
 /// The numbers of the start.
 fn init(plan: &Plan) -> String {
@@ -189,6 +200,15 @@ fn init(plan: &Plan) -> String {
     }
     for (k, turns) in start.turns.iter().enumerate().filter(|(_, turns)| **turns != 0) {
         put(format!("turns[{k}]"), turns.to_string());
+    }
+    for (k, row) in start.contacts.iter().enumerate().take(plan.counts.places) {
+        let numbers = [("mode", row.mode.number()), ("carried", u64::from(row.is_carried)), ("negative", u64::from(row.is_negative))];
+        for (array, number) in numbers.into_iter().filter(|(_, number)| *number != 0) {
+            put(format!("{array}[{k}]"), number.to_string());
+        }
+        if row.place != 0.0 {
+            put(format!("place[{k}]"), c.number(row.place));
+        }
     }
     if let Some(chart) = start.chart.filter(|_| plan.is_loops()) {
         put("chart".to_owned(), chart.to_string());
@@ -246,7 +266,8 @@ fn get(plan: &Plan) -> String {
         case("STATE", states, "*value = self->x[2 * @nq@ + index];\nreturn PLM_OK;\n"),
         case("OUTPUT", outputs, &of_output),
         case("INTEGRATED", counts.states, "*value = self->x[index];\nreturn PLM_OK;\n"),
-        case("RATE", counts.states, of_rate),
+        case("RATE", if plan.has_own_rate() { counts.states } else { 0 }, of_rate),
+        case("CONTACT", counts.contacts, OF_CONTACT),
     ]
     .concat()
 }
@@ -278,6 +299,7 @@ fn set(plan: &Plan) -> String {
         case("OUTPUT", plan.outputs().count(), "return PLM_READ_ONLY;\n"),
         case("INTEGRATED", plan.counts.states, "return PLM_READ_ONLY;\n"),
         case("RATE", plan.counts.states, "return PLM_READ_ONLY;\n"),
+        case("CONTACT", plan.counts.contacts, "return PLM_READ_ONLY;\n"),
     ]
     .concat()
 }

@@ -7,6 +7,7 @@
 mod block;
 mod c;
 mod check;
+mod contact;
 mod dialect;
 mod events;
 mod function;
@@ -72,7 +73,7 @@ impl std::error::Error for Failure {}
 const MATH: &str = include_str!("c/plm_math.h");
 
 /// C99 of a mechanism with the values that its parameters, inputs and start values have: a header, a source, and `plm_math.h`. Steps are
-/// those of the classical Runge-Kutta method.
+/// those of the classical Runge-Kutta method; over rows of contact those of Moreau and Jean, with one evaluation and theta 1/2.
 ///
 /// # Errors
 /// [`Failure::Start`], where it cannot be assembled; [`Failure::Refused`].
@@ -82,11 +83,11 @@ pub fn c(mechanism: &Mechanism, precision: Precision) -> Result<Vec<File>, Failu
     if !refused.is_empty() {
         return Err(Failure::Refused(refused));
     }
-    let start = mechanism.steps().map_err(Failure::Start)?.numbers();
-    if let Some(refused) = plan::without_chart(lowered, &start) {
+    let steps = mechanism.steps().map_err(Failure::Start)?;
+    if let Some(refused) = plan::without_chart(lowered, &steps.numbers()) {
         return Err(Failure::Refused(vec![refused]));
     }
-    let plan = plan::Plan::new(mechanism, start, precision);
+    let plan = plan::Plan::new(mechanism, &steps, precision);
     let name = plan.name.clone();
     let math = File { name: "plm_math.h".to_owned(), text: MATH.to_owned() };
     Ok(vec![

@@ -3,14 +3,16 @@
 use std::fmt;
 
 use plm_compiler::Source;
-use plm_compiler::lowered::{Chart, Form, Lowered, Output, Routine, Set};
-use plm_dynamic::{Mechanism, Numbers};
+use plm_compiler::lowered::{Chart, Form, Lowered, Output, ReadByConditions, Routine, Set};
+use plm_dynamic::{Mechanism, Numbers, Steps};
 use plm_foreign::Names;
 use plm_runtime::described::Tables;
 
 use crate::Precision;
 use crate::block::OfPrecision;
 use crate::c::C;
+use crate::check;
+use crate::source::{CAUSES, parts};
 
 /// A part of a mechanism that no source has.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,8 +34,14 @@ impl fmt::Display for Refused {
 pub(crate) fn refused(lowered: &Lowered) -> Vec<Refused> {
     let mut all = Vec::new();
     let mut refuse = |part: &str, what| all.push(Refused { part: part.to_owned(), what });
-    for row in lowered.contacts.iter().flat_map(|contacts| &contacts.rows) {
-        refuse(&row.name, "friction and contact that change their modes");
+    if let Some(contacts) = &lowered.contacts {
+        let row = contacts.rows.first().map_or("", |row| &row.name);
+        if contacts.read == ReadByConditions::Multipliers {
+            refuse(row, "a condition that reads a force of contact");
+        }
+        if contacts.conditional.is_some() {
+            refuse(row, "a constraint that holds on a condition");
+        }
     }
     if lowered.form == Form::Absolute {
         let part = lowered.rows.first().map(|row| &row.part).or(lowered.bodies.first());
@@ -79,6 +87,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) start: Numbers,
     pub(crate) precision: Precision,
     pub(crate) counts: Counts,
+    /// Where the first step over rows of contact leads to, in the numbers of the source.
+    pub(crate) over_contact: Option<Vec<f64>>,
     /// Of each parameter: does the assembled start depend on it, so that it is a constant?
     pub(crate) is_fixed: Vec<bool>,
 }
@@ -105,6 +115,10 @@ pub(crate) struct Counts {
     /// Conditions on the time.
     pub(crate) times: usize,
     pub(crate) rows: usize,
+    /// Rows of contact.
+    pub(crate) contacts: usize,
+    /// Places for rows of contact, and for reactions that bound frictions.
+    pub(crate) places: usize,
 }
 
 impl Counts {
@@ -125,13 +139,22 @@ impl Counts {
             watched: lowered.switches.guards + lowered.switches.kinks,
             times: lowered.switches.all.len() - lowered.switches.guards,
             rows: lowered.rows.len(),
+            contacts: lowered.contacts.as_ref().map_or(0, |contacts| contacts.rows.len()),
+            places: lowered.contacts.as_ref().map_or(0, |contacts| contacts.places),
         }
     }
 }
 
 impl<'a> Plan<'a> {
-    pub(crate) fn new(mechanism: &'a Mechanism, start: Numbers, precision: Precision) -> Plan<'a> {
-        let lowered = mechanism.lowered();
+    pub(crate) fn new(mechanism: &'a Mechanism, steps: &Steps, precision: Precision) -> Plan<'a> {
+        let (lowered, start) = (mechanism.lowered(), steps.numbers());
+        let over_contact = lowered.contacts.as_ref().and_then(|_| match precision {
+            Precision::Double => steps.moreau_jean_in::<f64>(check::STEP).ok(),
+            Precision::Single => {
+                let step = steps.moreau_jean_in::<f32>(check::STEP).ok();
+                step.map(|numbers| numbers.into_iter().map(f64::from).collect())
+            }
+        });
         Plan {
             name: Names::lower(&lowered.name).to_string(),
             upper: Names::upper(&lowered.name).to_string(),
@@ -140,8 +163,14 @@ impl<'a> Plan<'a> {
             counts: Counts::of(lowered, &start),
             start,
             precision,
+            over_contact,
             is_fixed: fixed(lowered),
         }
+    }
+
+    /// A text with its name and sizes.
+    pub(crate) fn filled(&self, text: &str) -> String {
+        text.replace("@p@", &self.name).replace("@places@", &self.counts.places.to_string())
     }
 
     pub(crate) fn c(&self) -> C {
@@ -168,6 +197,39 @@ impl<'a> Plan<'a> {
     /// Its declared outputs: number among all outputs, and the output.
     pub(crate) fn outputs(&self) -> impl Iterator<Item = (usize, &'a Output)> {
         self.lowered.outputs.iter().enumerate().filter(|(_, output)| output.declared)
+    }
+
+    /// Has it a function of the rate? With rows of contact that of a step is another one, unless rates are not affine in the forces.
+    pub(crate) fn has_rate(&self) -> bool {
+        self.lowered.contacts.as_ref().is_none_or(|contacts| !contacts.is_affine)
+    }
+
+    /// Is the rate there for other methods? With rows of contact it needs the modes that a step decides.
+    pub(crate) fn has_own_rate(&self) -> bool {
+        self.lowered.contacts.is_none()
+    }
+
+    /// Do conditions read modes of contact?
+    pub(crate) fn conditions_read_modes(&self) -> bool {
+        let contacts = self.lowered.contacts.as_ref();
+        contacts.is_some_and(|contacts| contacts.read != ReadByConditions::Nothing)
+    }
+
+    /// Do functions read forces of contact?
+    pub(crate) fn reads_forces(&self) -> bool {
+        let reads = |routine: &Routine| {
+            routine.sources.iter().any(|source| matches!(source, Source::Multiplier(_)))
+        };
+        let solutions = self.lowered.charts.iter().filter_map(|chart| chart.reactions.as_ref());
+        let mut solutions = solutions.chain([&self.lowered.absolute.dynamics]);
+        let contacts = self.lowered.contacts.as_ref();
+        contacts.is_some_and(|contacts| !contacts.is_affine)
+            || self.outputs().any(|(_, output)| reads(&output.value)) || self.solves() && solutions.any(reads)
+    }
+
+    /// The number of the first row of contact among the parts that a failure may have.
+    pub(crate) fn first_row(&self) -> usize {
+        parts(self).len() + CAUSES.len() - self.counts.contacts
     }
 
     /// Does an output need accelerations or reactions?

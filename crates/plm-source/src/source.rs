@@ -6,22 +6,26 @@ use crate::Precision;
 use crate::function::Signature;
 use crate::plan::Plan;
 use crate::template::{fill, indented};
-use crate::{check, events, kinds, loops, numbers};
+use crate::{check, contact, events, kinds, loops, numbers};
 use plm_compiler::lowered::{Chart, Routine};
 
 const STEP: &str = include_str!("c/step.c.txt");
+const FORMULA: &str = include_str!("c/formula.c.txt");
+const CROSSED: &str = include_str!("c/crossed.c.txt");
+const FINISH: &str = include_str!("c/finish.c.txt");
+const BETWEEN_MODES: &str = include_str!("c/between_modes.c.txt");
 const BETWEEN: &str = include_str!("c/between.c.txt");
 const ARRIVE: &str = include_str!("c/arrive.c.txt");
 const TURNS: &str = include_str!("c/turns.c.txt");
 const TREE: &str = include_str!("c/tree.c.txt");
 const LOOPS: &str = include_str!("c/loops.c.txt");
 
-const RATE: Signature = Signature { reads: &["x"], writes: &["dx"], returns: true };
-const POSE: Signature = Signature { reads: &["x"], writes: &["q", "v"], returns: true };
-const REMEMBER: Signature = Signature { reads: &["x"], writes: &["memory"], returns: true };
-const REMEMBER_POSE: Signature = Signature { reads: &["q", "v"], writes: &["memory"], returns: true };
-const FROM_POSE: Signature = Signature { reads: &["q", "v"], writes: &["x"], returns: false };
-const GUARDS: Signature = Signature { reads: &["x"], writes: &["g"], returns: false };
+const RATE: Signature = Signature { reads: &["x"], writes: &["dx"], returns: true, is_forced: true };
+const POSE: Signature = Signature { reads: &["x"], writes: &["q", "v"], returns: true, is_forced: false };
+const REMEMBER: Signature = Signature { reads: &["x"], writes: &["memory"], returns: true, is_forced: false };
+const REMEMBER_POSE: Signature = Signature { reads: &["q", "v"], writes: &["memory"], returns: true, is_forced: false };
+const FROM_POSE: Signature = Signature { reads: &["q", "v"], writes: &["x"], returns: false, is_forced: false };
+const GUARDS: Signature = Signature { reads: &["x"], writes: &["g"], returns: false, is_forced: false };
 
 /// Causes that end a step, in the order of the numbers that `NAME_text` knows.
 pub(crate) const CAUSES: [&str; 6] = [
@@ -56,7 +60,9 @@ fn routines(plan: &Plan) -> String {
     let mut of_charts = |name: &str, signature, of: &dyn Fn(&Chart) -> Option<&Routine>, of_own: bool| {
         text.push_str(&in_charts(plan, name, signature, of, of_own));
     };
-    of_charts("rate", RATE, &|chart| Some(&chart.rate), true);
+    if plan.has_rate() {
+        of_charts("rate", RATE, &|chart| Some(&chart.rate), true);
+    }
     of_charts("pose", POSE, &|chart| Some(&chart.pose), true);
     if plan.counts.guards > 0 {
         of_charts("guards", GUARDS, &|chart| Some(&chart.guards), true);
@@ -86,11 +92,8 @@ fn in_charts<'r>(
     }
     let prefix = &plan.name;
     let arrays = || {
-        signature
-            .reads
-            .iter()
-            .map(|array| (true, *array))
-            .chain(signature.writes.iter().map(|array| (false, *array)))
+        let writes = signature.writes.iter().map(|array| (false, *array));
+        signature.read(plan).map(|array| (true, array)).chain(writes)
     };
     let kind = if signature.returns { "plm_real" } else { "void" };
     let chart = if in_own { "" } else { ", int chart" };
@@ -143,16 +146,39 @@ fn in_charts<'r>(
 /// The step, with what stands between steps.
 fn steps(plan: &Plan) -> String {
     let is_plain = !plan.is_loops() && plan.counts.turns == 0 && plan.lowered.switches.all.is_empty();
-    let (mut follow, mut between) = (String::new(), "");
+    let (mut follow, mut between) = (String::new(), String::new());
     if !is_plain {
-        between = BETWEEN;
+        BETWEEN.clone_into(&mut between);
         follow.push_str(if plan.counts.turns > 0 { TURNS } else { "" });
         follow.push_str(if plan.is_loops() { LOOPS } else { TREE });
         follow.push_str(&events::functions(plan));
         follow.push_str(ARRIVE);
+        if plan.conditions_read_modes() {
+            follow.push_str(FINISH);
+            between = BETWEEN_MODES.replace("@places@", &plan.counts.places.to_string());
+        }
     }
-    let own = [("follow", follow), ("between", between.to_owned())];
+    let mut own = vec![("follow", follow), ("between", between)];
+    own.extend(formula(plan));
     fill(&fill(STEP, &own), &words(plan))
+}
+
+/// The formula of a step, its call, and what it leaves in the object.
+fn formula(plan: &Plan) -> [(&'static str, String); 5] {
+    let Some(contacts) = &plan.lowered.contacts else {
+        let call = "    health = @p@_formula(self, h, next);\n";
+        return [("formula", FORMULA), ("call", call), ("commit", ""), ("place", ""), ("row", "")]
+            .map(|(word, text)| (word, text.to_owned()));
+    };
+    let [call, commit] = contact::call();
+    let place = format!(", place[{}];\n    @p@_solved solved", plan.counts.places);
+    [
+        ("formula", contact::functions(plan, contacts)),
+        ("call", call.replace("@first_row@", &plan.first_row().to_string())),
+        ("commit", commit.replace("@places@", &plan.counts.places.to_string())),
+        ("place", place),
+        ("row", ", row".to_owned()),
+    ]
 }
 
 /// All words of the templates.
@@ -162,6 +188,7 @@ fn words(plan: &Plan) -> Vec<(&'static str, String)> {
     let has_iterated = counts.iterated > 0;
     let mut all: Vec<(&'static str, String)> = Vec::new();
     all.extend(loops::words(plan, has_iterated));
+    all.push(("crossed_function", if may_be_singular { CROSSED } else { "" }.to_owned()));
     all.push(("unwind", indented(&loops::unwind(plan), 4)));
     all.push(("near", loops::near(plan)));
     let regular = if may_be_singular {
@@ -190,6 +217,7 @@ fn words(plan: &Plan) -> Vec<(&'static str, String)> {
     ];
     all.extend(sizes.map(|(word, size)| (word, size.to_string())));
     all.push(("first_determinant", (2 * (counts.coordinates + 1) + 3 * counts.angles).to_string()));
+    all.push(("up", plan.upper.clone()));
     all.push(("p", prefix.clone()));
     all.push(("real", if plan.precision == Precision::Single { "float" } else { "double" }.to_owned()));
     all
@@ -205,5 +233,6 @@ pub(crate) fn parts(plan: &Plan) -> Vec<String> {
         .iter()
         .filter(|_| plan.is_loops())
         .flat_map(|chart| chart.closing.iter().cloned());
-    requirements.chain(closing).collect()
+    let rows = plan.lowered.contacts.iter().flat_map(|contacts| &contacts.rows).map(|row| row.name.clone());
+    requirements.chain(closing).chain(rows).collect()
 }

@@ -9,7 +9,7 @@ use crate::scalar::Real;
 use crate::words::{InWords, Words};
 
 /// Gain of an impact, as a fraction of the energy that impulses and rates turn over, up to which it counts as rounding.
-const GAIN: f64 = 1e-9;
+pub(super) const GAIN: f64 = 1e-9;
 
 /// Impulse of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]

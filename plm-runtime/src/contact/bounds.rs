@@ -8,7 +8,7 @@ use crate::fault::{Cause, Fault};
 use crate::scalar::{Real, Scalar};
 
 /// A bound below this fraction of the force that would hold the row is rounding.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 /// Unit of a bound.
 const FORCE: &str = "N or N m";
 /// Time, s, within which a bound that comes to zero counts as zero: the accuracy of event times.

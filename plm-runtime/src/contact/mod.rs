@@ -14,6 +14,7 @@ mod bounds;
 mod candidates;
 mod changed;
 mod choose;
+mod constants;
 mod driven;
 mod enclosed;
 mod event;
@@ -45,6 +46,7 @@ mod walk;
 
 pub use self::booked::{Booked, ImpactEnergy, Impulse};
 pub use self::changed::state_was_set;
+pub use self::constants::Constants;
 pub use self::event::{begin, switch, switch_after, update, update_after};
 pub use self::guards::{guards, guards_within, stay};
 pub use self::held::{Held, Modal};

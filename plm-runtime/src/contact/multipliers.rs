@@ -23,7 +23,7 @@ const BEHIND: u32 = 2;
 /// Sweeps before the Newton steps: with a friction of a hundredth of that which would lock a joint, one Newton step is left.
 const SWEEPS: u32 = 4;
 /// Change of the forces, in roundings of the largest one, at which sweeps end.
-const ROUNDED: f64 = 2.0;
+pub(super) const ROUNDED: f64 = 2.0;
 /// Largest ratio of the changes of two successive sweeps.
 const SWEPT: f64 = 0.5;
 /// A diagonal entry of at least this fraction of the largest entry of its row is a pivot without a search for a larger one.

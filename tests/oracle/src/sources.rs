@@ -43,13 +43,19 @@ pub(crate) fn case(draw: &mut Draw) -> Case {
     let folder = env::temp_dir().join(format!("plm-source-{}-{place}", std::process::id()));
     let of = Ran { folder: &folder, compiler: "cc", options, precision: Precision::Double, h, steps: STEPS };
     let (family, verdict) = match run(mechanism, &of) {
-        Outcome::Refused(why) => ("refused", Verdict::Stopped(why)),
-        Outcome::Broken(why) => ("printed", Verdict::Wrong(why)),
-        Outcome::Lines(own) => ("printed", judged(&own, expected(mechanism, h, STEPS))),
+        Outcome::Refused(why) => (what(&why), Verdict::Stopped(why)),
+        Outcome::Broken(why) => ("printed".to_owned(), Verdict::Wrong(why)),
+        Outcome::Lines(own) => ("printed".to_owned(), judged(&own, expected(mechanism, h, STEPS))),
     };
     // Nothing of it is asked for any more.
     let _ = fs::remove_dir_all(&folder);
-    Case { family: family.to_owned(), text, verdict }
+    Case { family, text, verdict }
+}
+
+/// The ability whose lack is told first.
+fn what(refusal: &str) -> String {
+    let first = refusal.lines().find_map(|line| line.split_once("`: "));
+    first.map_or("no start", |(_, what)| what).to_owned()
 }
 
 fn judged(own: &[String], text: Result<Vec<String>, String>) -> Verdict {

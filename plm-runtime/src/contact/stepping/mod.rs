@@ -29,9 +29,11 @@ mod solver;
 
 use self::impacts::{Progress, impacts};
 pub use self::packed::{Proposed, packed_steps};
+pub(super) use self::problem::NO_SLIP;
 use self::problem::{Problem, away, lead_back};
 pub use self::smooth::{smooth_step, smooth_stride};
 use self::solver::Solved;
+pub(super) use self::solver::{CARRIED, DEPENDENT, ROUNDING};
 use super::booked::Struck;
 use super::modes::{Change, Mode, Modes};
 use super::outcome::Outcome;

@@ -8,7 +8,7 @@ use crate::contact::rows::{Law, Rows, below};
 use crate::scalar::Real;
 
 /// Rate, as a fraction of the change by accelerations in a step, below which a friction is assumed to stick at first.
-const NO_SLIP: f64 = 1e-9;
+pub(in crate::contact) const NO_SLIP: f64 = 1e-9;
 
 /// Rows of a step. Their free accelerations become the rates at the end of the step without contact forces over its length, with
 /// `slack`.

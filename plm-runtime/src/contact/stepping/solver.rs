@@ -25,12 +25,12 @@ fn rounds<const N: usize>(rules: &[Rule; N]) -> [u32; 2] {
 /// Sweeps after these rounds.
 const SWEEPS: u32 = 32;
 /// Error of a law, in roundings of the terms of the acceleration, below which it is satisfied.
-const ROUNDING: f64 = 64.0;
+pub(in crate::contact) const ROUNDING: f64 = 64.0;
 /// Pivot below which a row depends on others, relative to a diagonal of one.
-const DEPENDENT: f64 = 1e-9;
+pub(in crate::contact) const DEPENDENT: f64 = 1e-9;
 
 /// Relative error of a row that others carry: its rate follows from theirs to the accuracy of its dependence.
-const CARRIED: f64 = 1e-6;
+pub(in crate::contact) const CARRIED: f64 = 1e-6;
 
 /// The law of a row in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
