@@ -186,7 +186,7 @@ fn text<S: Real>(plan: &Plan, rates: &[S], step: Option<&[S]>) -> String {
          const plm_real difference = one - small;\n    \
          const plm_real square = product * product;\n    \
          const plm_real fused = square - one;\n    \
-         {p} self;\n    plm_real own[{states}];\n{fields}    int k;\n    \
+         {p}_object self;\n    plm_real own[{states}];\n{fields}    int k;\n    \
          if (plm_to_bits(difference) != plm_to_bits({})) {{\n        return 1;\n    }}\n    \
          if (plm_to_bits(fused) != plm_to_bits({})) {{\n        return 2;\n    }}\n    \
          {p}_init(&self);\n    (void){rate};\n{}{of_step}    \

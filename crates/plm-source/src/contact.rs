@@ -22,6 +22,8 @@ const POISSON: &str = include_str!("c/contact/poisson.c.txt");
 const FASTEST: &str = include_str!("c/contact/fastest.c.txt");
 const SIGNS: &str = include_str!("c/contact/signs.c.txt");
 const FORCES: &str = include_str!("c/contact/forces.c.txt");
+const APPEAR: &str = include_str!("c/contact/appear.c.txt");
+const SUNK: &str = include_str!("c/contact/sunk.c.txt");
 const STORED: &str = include_str!("c/contact/stored.c.txt");
 const SLIDE: &str = include_str!("c/contact/slide.c.txt");
 const CALL: &str = include_str!("c/contact/call.c.txt");
@@ -51,6 +53,12 @@ pub(crate) fn functions(plan: &Plan, contacts: &Contacts) -> String {
     text.push_str(STEP);
     if plan.reads_forces() {
         text.push_str(FORCES);
+    }
+    if plan.may_appear() || plan.settles() {
+        text.push_str(APPEAR);
+    }
+    if plan.may_appear() {
+        text.push_str(SUNK);
     }
     let words = [of_step(plan, contacts), of_loads(contacts), tables(plan, contacts), numbers(plan)].concat();
     fill(&text, &words)
@@ -222,7 +230,7 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
     let strikes = strikes(contacts);
     let rubs = contacts.rows.iter().any(|row| row.kind == ContactKind::Friction);
     let sequential = contacts.impacts == Impacts::Sequential;
-    let look = "    i = @p@_negative_bound(exists, &motion.rows);\n    if (i >= 0) {\n        *part = i;\n        return PLM_FAULT;\n    }\n";
+    let look = "    i = @p@_negative_bound(exists, &motion.rows);\n    if (i >= 0) {\n        *part = i;\n        return PLM_PARAMETER_VALUE;\n    }\n";
     let strike = "    i = @p@_strike(self, h, exists, &motion, x, &residual, part);\n    if (i != PLM_OK) {\n        return i;\n    }\n";
     let forced = "    {\n        plm_real dx[@states@];\n        (void)@p@_rate_in(self, t, x, solved->force, dx);\n        \
          for (i = 2 * @nq@; i < @n@; i++) {\n            motion.dx[i] = dx[i];\n        }\n    }\n";
@@ -308,6 +316,8 @@ fn numbers_of<S: Real>(plan: &Plan) -> Vec<(&'static str, String)> {
 
     let c = plan.c();
     let number = |value: S| c.number(value.to_f64());
+    let sizes = plan.lowered.typical.iter().take(plan.counts.coordinates);
+    let typical = sizes.fold(S::ZERO, |most, size| most.max(S::lit(*size)));
     let constants = Constants::<S>::new(S::lit(plan.lowered.length));
     vec![
         ("theta", c.number(MoreauJean::<S>::THETA)),
@@ -319,6 +329,8 @@ fn numbers_of<S: Real>(plan: &Plan) -> Vec<(&'static str, String)> {
         ("gain", number(constants.gain)),
         ("no_bound", number(constants.no_bound)),
         ("balance", number(constants.balance)),
+        ("led_back", number(constants.led_back)),
+        ("sunk", number(constants.sunk * typical)),
         ("swept", format!("{:e}", constants.swept)),
     ]
 }

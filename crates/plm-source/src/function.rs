@@ -62,6 +62,8 @@ impl Plan<'_> {
             "full" => 2 * counts.of_bodies + self.lowered.states.len(),
             "out" => self.outputs().count(),
             "force" | "restitution" | "exist" => counts.places,
+            "holds" => self.lowered.sets.events.len(),
+            "set" => self.lowered.sets.events.iter().map(Vec::len).sum(),
             "limited" => self.lowered.starts.limits.len(),
             _ => counts.states,
         };

@@ -59,11 +59,9 @@ pub(crate) fn refused(lowered: &Lowered) -> Vec<Refused> {
         }
     }
     for set in lowered.sets.events.iter().flatten() {
-        let part = match *set {
-            Set::State(k) => lowered.states.get(k).map(|state| &state.name),
-            Set::Velocity(k) => lowered.coordinates.get(k),
-        };
-        refuse(part.map_or("when", String::as_str), "an event that sets values");
+        if let Set::Velocity(k) = *set {
+            refuse(lowered.coordinates.get(k).map_or("when", String::as_str), "an event that sets a velocity");
+        }
     }
     all
 }
@@ -156,7 +154,7 @@ impl<'a> Plan<'a> {
             }
         });
         Plan {
-            name: Names::lower(&lowered.name).to_string(),
+            name: name_in_c(&lowered.name),
             upper: Names::upper(&lowered.name).to_string(),
             lowered,
             tables: mechanism.tables(),
@@ -215,6 +213,28 @@ impl<'a> Plan<'a> {
         contacts.is_some_and(|contacts| contacts.read != ReadByConditions::Nothing)
     }
 
+    /// May a row of contact begin to exist by a condition?
+    pub(crate) fn may_appear(&self) -> bool {
+        let exist = self.lowered.contacts.as_ref().is_some_and(|contacts| contacts.exist.is_some());
+        exist && !self.lowered.switches.all.is_empty()
+    }
+
+    /// Rows of contact that states move.
+    pub(crate) fn moved_rows(&self) -> impl Iterator<Item = usize> {
+        let rows = self.lowered.contacts.iter().flat_map(|contacts| contacts.rows.iter().enumerate());
+        rows.filter(|(_, row)| row.moved_by_states).map(|(k, _)| k)
+    }
+
+    /// Are rows of contact checked after events have set states?
+    pub(crate) fn settles(&self) -> bool {
+        self.sets_states() && (self.may_appear() || self.moved_rows().next().is_some())
+    }
+
+    /// Do events set states?
+    pub(crate) fn sets_states(&self) -> bool {
+        !self.lowered.sets.events.is_empty()
+    }
+
     /// Do functions read forces of contact?
     pub(crate) fn reads_forces(&self) -> bool {
         let reads = |routine: &Routine| {
@@ -236,6 +256,19 @@ impl<'a> Plan<'a> {
     pub(crate) fn solves(&self) -> bool {
         self.outputs().any(|(_, output)| output.solves)
     }
+}
+
+/// Words of C and C++ that are no names, and types that the header includes.
+const TAKEN: &str = "alignas alignof and asm auto bitand bitor bool break case catch char class compl const constexpr continue decltype \
+    default delete do double else enum explicit export extern false float for friend goto if inline int long mutable namespace new \
+    noexcept not nullptr operator or private protected public register restrict return short signed sizeof static struct switch \
+    template this throw true try typedef typeid typename union unsigned using virtual void volatile while xor \
+    and_eq const_cast dynamic_cast not_eq or_eq reinterpret_cast size_t static_assert static_cast thread_local wchar_t xor_eq";
+
+/// The name of a mechanism in C; one that is a word of the language ends with `_mechanism`.
+fn name_in_c(name: &str) -> String {
+    let lower = Names::lower(name).to_string();
+    if TAKEN.split_whitespace().any(|word| word == lower) { format!("{lower}_mechanism") } else { lower }
 }
 
 /// Parameters that the start depends on: lengths that joints close, start values, and what is derived of these.

@@ -45,6 +45,8 @@ pub(crate) fn source(plan: &Plan) -> String {
         text.push_str("#define PLM_SINGLE 1\n");
     }
     let _ = write!(text, "#include \"plm_math.h\"\n\n#include \"{name}.h\"\n\n");
+    // A variable of a function may have the name of the mechanism.
+    let _ = write!(text, "typedef {name} {name}_object;\n\n");
     let _ = writeln!(text, "/* ---- routines ---- */\n");
     text.push_str(&routines(plan));
     text.push_str(&steps(plan));

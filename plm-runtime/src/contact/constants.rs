@@ -1,6 +1,7 @@
 //! The tolerances of steps without events, for who writes these steps in another language.
 
-use super::bounds;
+use super::{bounds, sunk};
+use crate::events::SUNK;
 use super::booked::GAIN;
 use super::event::CLOSED;
 use super::multipliers::ROUNDED;
@@ -21,6 +22,10 @@ pub struct Constants<S> {
     pub no_slip: S,
     /// Gap below which a row is closed, m or rad.
     pub closed: S,
+    /// Gap up to which a constraint that begins to exist is led back, m or rad.
+    pub led_back: S,
+    /// Depth below which a point counts as led below a surface by a step, as a fraction of the largest coordinate.
+    pub sunk: S,
     /// Gain of an impact, as a fraction of the energy that it turns over, up to which it is rounding.
     pub gain: S,
     /// Bound of friction that is rounding, as a fraction of the force that would hold the row.
@@ -41,6 +46,8 @@ impl<S: Real> Constants<S> {
             rounding,
             no_slip: S::lit(NO_SLIP).max(S::lit(64.0) * S::EPSILON),
             closed: S::lit(CLOSED) * length,
+            led_back: S::lit(sunk::ROUNDED) * length,
+            sunk: S::lit(SUNK),
             gain: S::lit(GAIN).max(S::lit(64.0) * S::EPSILON),
             no_bound: S::lit(bounds::ROUNDING),
             balance: S::lit(BALANCE_ULPS * S::PRECISION),

@@ -20,7 +20,7 @@ pub fn appear<M: Contacts<N>, const N: usize>(
 }
 
 /// Gap, as a fraction of the length of the mechanism, up to which a constraint that begins to exist is led back. Starts are rounded.
-const ROUNDED: f64 = 1e-4;
+pub(super) const ROUNDED: f64 = 1e-4;
 
 /// Checks that the gaps of the rows selected by `of` are not negative, and that constraints among them are closed.
 pub(super) fn above<M: Contacts<N>, const N: usize>(

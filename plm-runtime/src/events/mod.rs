@@ -50,7 +50,7 @@ pub use self::sets::{Sets, begin, change, take_sides, with_velocities};
 use self::thrown::{is_of_state, leads_away, switch_back, switch_there_and_back};
 pub use self::violated::switch_where_due;
 use self::violated::{Switched, required, switch_violated};
-pub(crate) use self::violated::{are_satisfied, switch_at_end, switch_each, violated};
+pub(crate) use self::violated::{SUNK, are_satisfied, switch_at_end, switch_each, violated};
 use crate::fault::Fault;
 use crate::method::{Context, Method};
 use crate::scalar::Real;
