@@ -124,8 +124,7 @@ impl<
         let own = self.mechanism().map(&number);
         let mut held = Dynamic::<f64, NQ, NC, N, L, H, R, P>::map_held(&self.held(), &number);
         let mut x = self.x().map(number);
-        let stride =
-            Stride { t: number(self.time()), h: number(h), theta: number(MoreauJean::<S>::THETA) };
+        let stride = Stride { t: number(self.time()), h: number(h), theta: number(MoreauJean::<S>::THETA) };
         own.stride::<1>(&stride, &mut held, &mut x, |_, _, _| Ok(()))?;
         let mechanism = self.mechanism();
         Ok((0..N).filter(|place| mechanism.has_number(*place)).map(|place| x[place]).collect())

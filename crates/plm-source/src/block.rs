@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use plm_compiler::model::ContactMode;
 use plm_compiler::lowered::{Operation, Routine, Target};
+use plm_compiler::model::ContactMode;
 use plm_compiler::{OfScalar, Source};
 use plm_runtime::Scalar;
 

@@ -34,7 +34,9 @@ impl Dialect for C {
             Argument::Turns(k) => format!("(plm_real)self->turns[{k}]"),
             Argument::Mode(k, of_gap) => {
                 let [mode, carried] = if of_gap { ["PLM_OPEN", "&& !"] } else { ["PLM_STICKS", "|| "] };
-                format!("(((self->mode[{k}] == {mode}) {carried}self->carried[{k}]) ? PLM_C(1.0) : PLM_C(0.0))")
+                format!(
+                    "(((self->mode[{k}] == {mode}) {carried}self->carried[{k}]) ? PLM_C(1.0) : PLM_C(0.0))"
+                )
             }
             Argument::Remembered(k) => format!("self->memory[{k}]"),
             Argument::Element(array, k) => format!("{array}[{k}]"),

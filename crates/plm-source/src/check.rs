@@ -157,7 +157,11 @@ fn text<S: Real>(plan: &Plan, rates: &[S], step: Option<&[S]>) -> String {
     };
     let [rates, after, length] = [array(rates), array(step.unwrap_or_default()), c.number(STEP)];
     let of_contact = plan.lowered.contacts.is_some();
-    let fields = if of_contact { plan.filled("    @p@_motion motion;\n    @p@_solved solved;\n    plm_real place[@places@], health;\n    int part;\n") } else { String::new() };
+    let fields = if of_contact {
+        plan.filled("    @p@_motion motion;\n    @p@_solved solved;\n    plm_real place[@places@], health;\n    int part;\n")
+    } else {
+        String::new()
+    };
     let [own, rate, formula] = if of_contact {
         [
             "motion.dx",
@@ -168,8 +172,14 @@ fn text<S: Real>(plan: &Plan, rates: &[S], step: Option<&[S]>) -> String {
         ["own", "@p@_rate_in(&self, self.time, self.x, own)", "@p@_formula(&self, LENGTH, own)"]
     };
     let [rate, formula] = [rate, formula].map(|call| plan.filled(call).replace("LENGTH", &length));
-    let table = |name: &str, numbers: &str| format!("    static const plm_real {name}[{states}] = {{ {numbers} }};\n");
-    let tables = format!("{}{}", table("rates", &rates), if step.is_some() { table("after", &after) } else { String::new() });
+    let table = |name: &str, numbers: &str| {
+        format!("    static const plm_real {name}[{states}] = {{ {numbers} }};\n")
+    };
+    let tables = format!(
+        "{}{}",
+        table("rates", &rates),
+        if step.is_some() { table("after", &after) } else { String::new() }
+    );
     let compared = |own: &str, with: &str, number: u32| {
         let count = plan.counts.states;
         format!(
@@ -177,7 +187,11 @@ fn text<S: Real>(plan: &Plan, rates: &[S], step: Option<&[S]>) -> String {
         )
     };
     // A step that cannot be made has no state.
-    let of_step = if step.is_some() { format!("    (void){formula};\n{}", compared("own", "after", 4)) } else { "    (void)own;\n".to_owned() };
+    let of_step = if step.is_some() {
+        format!("    (void){formula};\n{}", compared("own", "after", 4))
+    } else {
+        "    (void)own;\n".to_owned()
+    };
     let _ = write!(
         text,
         "/* ---- check ---- */\n\nint {p}_check(void)\n{{\n{tables}    \

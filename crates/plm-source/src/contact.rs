@@ -3,7 +3,9 @@
 use std::fmt::Write as _;
 
 use plm_compiler::Source;
-use plm_compiler::lowered::{ContactChart, ContactKind, Contacts, Impacts, OfRows, Operation, Routine, RowTerm, Target};
+use plm_compiler::lowered::{
+    ContactChart, ContactKind, Contacts, Impacts, OfRows, Operation, Routine, RowTerm, Target,
+};
 use plm_runtime::{MoreauJean, Real};
 
 use crate::Precision;
@@ -57,7 +59,7 @@ pub(crate) fn functions(plan: &Plan, contacts: &Contacts) -> String {
     if plan.may_appear() || plan.settles() {
         text.push_str(APPEAR);
     }
-    if plan.may_appear() {
+    if plan.may_appear() && plan.counts.guards > 0 {
         text.push_str(SUNK);
     }
     let words = [of_step(plan, contacts), of_loads(contacts), tables(plan, contacts), numbers(plan)].concat();
@@ -89,7 +91,8 @@ fn strikes(contacts: &Contacts) -> bool {
 /// The routine of the motion and the rows in a chart: the place of each of its results, and the value.
 pub(crate) fn motion(plan: &Plan, chart: &ContactChart) -> (Block, Vec<(Target, Value)>) {
     let mut block = plan.block();
-    let mut read = |routine: &Routine| block.routine(routine, |block, source: Source| plan.read(block, source));
+    let mut read =
+        |routine: &Routine| block.routine(routine, |block, source: Source| plan.read(block, source));
     let results = match &chart.together {
         Some(together) => read(together),
         None => [read(&chart.kinematics), read(&chart.motion)].concat(),
@@ -108,7 +111,10 @@ fn motions(plan: &Plan, contacts: &Contacts) -> String {
         text.push_str(&plan.body(&block, &results, place, &["x", "motion"]));
         let _ = match number {
             0 => Ok(()),
-            number => writeln!(choice, "    case {number}:\n        return @p@_motion_{number}(self, t, x, motion);"),
+            number => writeln!(
+                choice,
+                "    case {number}:\n        return @p@_motion_{number}(self, t, x, motion);"
+            ),
         };
     }
     let first = "return @p@_motion_0(self, t, x, motion);\n";
@@ -197,14 +203,13 @@ fn of_loads(contacts: &Contacts) -> Vec<(&'static str, String)> {
         ("end_of_rounds", where_wanted(!has_loads, " else {\n                break;\n            }")),
         (
             "share_factor",
-            with("        if (bound->share[j] != PLM_C(0.0)) {\n            factor = bound->share[j];\n            count = count + 1;\n        }\n"),
+            with(
+                "        if (bound->share[j] != PLM_C(0.0)) {\n            factor = bound->share[j];\n            count = count + 1;\n        }\n",
+            ),
         ),
         (
             "negative_factor",
-            format!(
-                "(bound->by[j] < PLM_C(0.0)){}",
-                with(" || (bound->share[j] < PLM_C(0.0))")
-            ),
+            format!("(bound->by[j] < PLM_C(0.0)){}", with(" || (bound->share[j] < PLM_C(0.0))")),
         ),
         ("stored", where_wanted(in_plane, &[STORED, SLIDE].concat())),
         ("stored_direction", with(stored_direction)),
@@ -213,7 +218,9 @@ fn of_loads(contacts: &Contacts) -> Vec<(&'static str, String)> {
         ("all_slide", where_wanted(in_plane, all_slide)),
         (
             "without_own",
-            with("        problem.reaction[i][0].own = PLM_C(0.0);\n        problem.reaction[i][1].own = PLM_C(0.0);\n"),
+            with(
+                "        problem.reaction[i][0].own = PLM_C(0.0);\n        problem.reaction[i][1].own = PLM_C(0.0);\n",
+            ),
         ),
         (
             "expansion",
@@ -241,9 +248,13 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
          problem.adhesion[i][k].own = @p@_at(problem.adhesion[i][k].own, problem.adhesion[i][k].by, back);\n            }\n";
     let law = if contacts.impacts == Impacts::Newton { NEWTON } else { POISSON };
     let exists = match &contacts.exist {
-        Some(_) => "    plm_real exist[@places@];\n    @p@_exist(self, PLM_C(0.0), exist);\n    for (i = 0; i < @places@; i++) {\n        \
-             exists[i] = (i < @contacts@) && (exist[i] > PLM_C(0.5));\n    }\n",
-        None => "    (void)self;\n    for (i = 0; i < @places@; i++) {\n        exists[i] = i < @contacts@;\n    }\n",
+        Some(_) => {
+            "    plm_real exist[@places@];\n    @p@_exist(self, PLM_C(0.0), exist);\n    for (i = 0; i < @places@; i++) {\n        \
+             exists[i] = (i < @contacts@) && (exist[i] > PLM_C(0.5));\n    }\n"
+        }
+        None => {
+            "    (void)self;\n    for (i = 0; i < @places@; i++) {\n        exists[i] = i < @contacts@;\n    }\n"
+        }
     };
     vec![
         ("signs", where_wanted(rubs, SIGNS)),
@@ -274,9 +285,8 @@ fn tables(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
         };
         format!("@up@_{word}")
     };
-    let falls = |row: usize| {
-        u8::from(contacts.rows.get(row).is_some_and(|row| row.bound_may_fall)).to_string()
-    };
+    let falls =
+        |row: usize| u8::from(contacts.rows.get(row).is_some_and(|row| row.bound_may_fall)).to_string();
     let kind = |load: usize| match contacts.reactions.get(load) {
         None => "0".to_owned(),
         Some(reaction) => if reaction.in_plane { "2" } else { "1" }.to_owned(),

@@ -19,10 +19,13 @@ const RATE: &str = include_str!("c/rate.c.txt");
 const KINDS: &str = include_str!("c/kinds.c.txt");
 
 /// Accelerations and multipliers of a tree.
-const REACTIONS: Signature = Signature { reads: &["x"], writes: &["a", "lambda"], returns: false, is_forced: true };
+const REACTIONS: Signature =
+    Signature { reads: &["x"], writes: &["a", "lambda"], returns: false, is_forced: true };
 /// Accelerations and multipliers by the equations in absolute coordinates.
-const SOLVED: Signature = Signature { reads: &["full"], writes: &["a", "lambda"], returns: true, is_forced: true };
-const VALUES: Signature = Signature { reads: &["x", "q", "v"], writes: &["out"], returns: false, is_forced: true };
+const SOLVED: Signature =
+    Signature { reads: &["full"], writes: &["a", "lambda"], returns: true, is_forced: true };
+const VALUES: Signature =
+    Signature { reads: &["x", "q", "v"], writes: &["out"], returns: false, is_forced: true };
 const SOLVED_VALUES: Signature =
     Signature { reads: &["x", "q", "v", "a", "lambda"], writes: &["out"], returns: false, is_forced: true };
 const ENERGY: Signature = Signature { reads: &["x", "q", "v"], writes: &[], returns: true, is_forced: false };
@@ -202,7 +205,11 @@ fn init(plan: &Plan) -> String {
         put(format!("turns[{k}]"), turns.to_string());
     }
     for (k, row) in start.contacts.iter().enumerate().take(plan.counts.places) {
-        let numbers = [("mode", row.mode.number()), ("carried", u64::from(row.is_carried)), ("negative", u64::from(row.is_negative))];
+        let numbers = [
+            ("mode", row.mode.number()),
+            ("carried", u64::from(row.is_carried)),
+            ("negative", u64::from(row.is_negative)),
+        ];
         for (array, number) in numbers.into_iter().filter(|(_, number)| *number != 0) {
             put(format!("{array}[{k}]"), number.to_string());
         }

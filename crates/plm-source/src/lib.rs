@@ -14,6 +14,7 @@ mod function;
 mod header;
 mod kinds;
 mod loops;
+mod names;
 mod numbers;
 mod plan;
 mod print;

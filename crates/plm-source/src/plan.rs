@@ -12,6 +12,7 @@ use crate::Precision;
 use crate::block::OfPrecision;
 use crate::c::C;
 use crate::check;
+use crate::names;
 use crate::source::{CAUSES, parts};
 
 /// A part of a mechanism that no source has.
@@ -60,7 +61,10 @@ pub(crate) fn refused(lowered: &Lowered) -> Vec<Refused> {
     }
     for set in lowered.sets.events.iter().flatten() {
         if let Set::Velocity(k) = *set {
-            refuse(lowered.coordinates.get(k).map_or("when", String::as_str), "an event that sets a velocity");
+            refuse(
+                lowered.coordinates.get(k).map_or("when", String::as_str),
+                "an event that sets a velocity",
+            );
         }
     }
     all
@@ -85,7 +89,7 @@ pub(crate) struct Plan<'a> {
     pub(crate) start: Numbers,
     pub(crate) precision: Precision,
     pub(crate) counts: Counts,
-    /// Where the first step over rows of contact leads to, in the numbers of the source.
+    /// The state after the first step over rows of contact, in the numbers of the source.
     pub(crate) over_contact: Option<Vec<f64>>,
     /// Of each parameter: does the assembled start depend on it, so that it is a constant?
     pub(crate) is_fixed: Vec<bool>,
@@ -154,7 +158,7 @@ impl<'a> Plan<'a> {
             }
         });
         Plan {
-            name: name_in_c(&lowered.name),
+            name: names::of_mechanism(&lowered.name),
             upper: Names::upper(&lowered.name).to_string(),
             lowered,
             tables: mechanism.tables(),
@@ -237,14 +241,14 @@ impl<'a> Plan<'a> {
 
     /// Do functions read forces of contact?
     pub(crate) fn reads_forces(&self) -> bool {
-        let reads = |routine: &Routine| {
-            routine.sources.iter().any(|source| matches!(source, Source::Multiplier(_)))
-        };
+        let reads =
+            |routine: &Routine| routine.sources.iter().any(|source| matches!(source, Source::Multiplier(_)));
         let solutions = self.lowered.charts.iter().filter_map(|chart| chart.reactions.as_ref());
         let mut solutions = solutions.chain([&self.lowered.absolute.dynamics]);
         let contacts = self.lowered.contacts.as_ref();
         contacts.is_some_and(|contacts| !contacts.is_affine)
-            || self.outputs().any(|(_, output)| reads(&output.value)) || self.solves() && solutions.any(reads)
+            || self.outputs().any(|(_, output)| reads(&output.value))
+            || self.solves() && solutions.any(reads)
     }
 
     /// The number of the first row of contact among the parts that a failure may have.
@@ -256,19 +260,6 @@ impl<'a> Plan<'a> {
     pub(crate) fn solves(&self) -> bool {
         self.outputs().any(|(_, output)| output.solves)
     }
-}
-
-/// Words of C and C++ that are no names, and types that the header includes.
-const TAKEN: &str = "alignas alignof and asm auto bitand bitor bool break case catch char class compl const constexpr continue decltype \
-    default delete do double else enum explicit export extern false float for friend goto if inline int long mutable namespace new \
-    noexcept not nullptr operator or private protected public register restrict return short signed sizeof static struct switch \
-    template this throw true try typedef typeid typename union unsigned using virtual void volatile while xor \
-    and_eq const_cast dynamic_cast not_eq or_eq reinterpret_cast size_t static_assert static_cast thread_local wchar_t xor_eq";
-
-/// The name of a mechanism in C; one that is a word of the language ends with `_mechanism`.
-fn name_in_c(name: &str) -> String {
-    let lower = Names::lower(name).to_string();
-    if TAKEN.split_whitespace().any(|word| word == lower) { format!("{lower}_mechanism") } else { lower }
 }
 
 /// Parameters that the start depends on: lengths that joints close, start values, and what is derived of these.

@@ -6,7 +6,7 @@ use crate::Precision;
 use crate::function::Signature;
 use crate::plan::Plan;
 use crate::template::{fill, indented};
-use crate::{check, contact, events, kinds, loops, numbers};
+use crate::{check, contact, events, kinds, loops, names, numbers};
 use plm_compiler::lowered::{Chart, Routine};
 
 const STEP: &str = include_str!("c/step.c.txt");
@@ -23,8 +23,10 @@ const LOOPS: &str = include_str!("c/loops.c.txt");
 const RATE: Signature = Signature { reads: &["x"], writes: &["dx"], returns: true, is_forced: true };
 const POSE: Signature = Signature { reads: &["x"], writes: &["q", "v"], returns: true, is_forced: false };
 const REMEMBER: Signature = Signature { reads: &["x"], writes: &["memory"], returns: true, is_forced: false };
-const REMEMBER_POSE: Signature = Signature { reads: &["q", "v"], writes: &["memory"], returns: true, is_forced: false };
-const FROM_POSE: Signature = Signature { reads: &["q", "v"], writes: &["x"], returns: false, is_forced: false };
+const REMEMBER_POSE: Signature =
+    Signature { reads: &["q", "v"], writes: &["memory"], returns: true, is_forced: false };
+const FROM_POSE: Signature =
+    Signature { reads: &["q", "v"], writes: &["x"], returns: false, is_forced: false };
 const GUARDS: Signature = Signature { reads: &["x"], writes: &["g"], returns: false, is_forced: false };
 
 /// Causes that end a step, in the order of the numbers that `NAME_text` knows.
@@ -53,7 +55,7 @@ pub(crate) fn source(plan: &Plan) -> String {
     text.push_str(&kinds::outputs(plan));
     text.push_str(&kinds::functions(plan));
     text.push_str(&check::check(plan));
-    text
+    names::without_hiding(&text, name)
 }
 
 /// The routines of each chart, and functions that choose among them.

@@ -1,12 +1,12 @@
 //! The tolerances of steps without events, for who writes these steps in another language.
 
-use super::{bounds, sunk};
-use crate::events::SUNK;
+use super::BALANCE_ULPS;
 use super::booked::GAIN;
 use super::event::CLOSED;
 use super::multipliers::ROUNDED;
 use super::stepping::{CARRIED, DEPENDENT, NO_SLIP, ROUNDING};
-use super::BALANCE_ULPS;
+use super::{bounds, sunk};
+use crate::events::SUNK;
 use crate::scalar::Real;
 
 /// The tolerances of time steps and of multipliers in a scalar type, for a mechanism of a length.

@@ -15,7 +15,8 @@ use plm_runtime::{Cause, Fault};
 use crate::draw::Draw;
 use crate::sweep::{Case, Verdict};
 
-use self::reference::{Reference, Scene, TIMES, What, names, numbers};
+pub(crate) use self::reference::Scene;
+use self::reference::{Reference, TIMES, What, names, numbers};
 pub(crate) use self::texts::scenes;
 
 /// A method by its name, and by its tolerance or its longest step.

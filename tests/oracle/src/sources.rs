@@ -1,16 +1,19 @@
-//! Every declaration of the book, of parts, examples and benchmarks as C source: the bits of steps from text, by several compilers' options
-//! and lengths of steps.
+//! Every declaration of the book, of parts, examples and benchmarks as C source, and random scenes of contact: the bits of steps from text,
+//! by several compilers' options and lengths of steps.
+
+mod rubbing;
 
 #[path = "../../../crates/plm-source/tests/support/mod.rs"]
 mod support;
 
 use std::env;
-use std::fs;
+use std::{fs, thread};
 
+use plm_dynamic::Mechanism;
 use plm_source::Precision;
 
 use self::support::{Outcome, Ran, STRICT, compared, expected, run};
-use crate::declarations::scenes;
+use crate::declarations::{Scene, scenes};
 use crate::draw::Draw;
 use crate::sweep::{Case, Verdict};
 
@@ -22,25 +25,27 @@ const OPTIONS: [&[&str]; 3] = [STRICT, &["-std=c99", "-O0"], &["-std=gnu17", "-O
 const STEPS: usize = 400;
 
 pub(crate) fn case(draw: &mut Draw) -> Case {
-    let scenes = scenes();
-    let place = draw.place_in(scenes.len()).unwrap_or_else(|| draw.below(scenes.len()));
-    let Some(scene) = scenes.get(place) else {
-        return Case {
-            family: "-".to_owned(),
-            text: String::new(),
-            verdict: Verdict::Wrong("no scene".to_owned()),
-        };
-    };
+    let subject = subject(draw);
     let (h, options) = (*draw.one_of(&LENGTHS), *draw.one_of(&OPTIONS));
-    let text = format!("{}\n{}\nsteps of {h:e} s, cc {}", scene.place, scene.texts[0], options.join(" "));
-    let mechanism = match scene.machine(0) {
+    let (name, declared) = subject.named();
+    let text = format!("{name}\n{declared}\nsteps of {h:e} s, cc {}", options.join(" "));
+    let made;
+    let mechanism = match &subject {
+        Subject::Declared(scene) => scene.machine(0),
+        Subject::Drawn(text) => {
+            made = Mechanism::from_text(text);
+            made.as_ref().map_err(Clone::clone)
+        }
+    };
+    let mechanism = match mechanism {
         Ok(mechanism) => mechanism,
         Err(error) => {
             let verdict = Verdict::Stopped(error.to_string());
             return Case { family: "no mechanism".to_owned(), text, verdict };
         }
     };
-    let folder = env::temp_dir().join(format!("plm-source-{}-{place}", std::process::id()));
+    let folder =
+        env::temp_dir().join(format!("plm-source-{}-{:?}", std::process::id(), thread::current().id()));
     let of = Ran { folder: &folder, compiler: "cc", options, precision: Precision::Double, h, steps: STEPS };
     let (family, verdict) = match run(mechanism, &of) {
         Outcome::Refused(why) => (what(&why), Verdict::Stopped(why)),
@@ -50,6 +55,31 @@ pub(crate) fn case(draw: &mut Draw) -> Case {
     // Nothing of it is asked for any more.
     let _ = fs::remove_dir_all(&folder);
     Case { family, text, verdict }
+}
+
+/// A declaration of the repository, or one that was drawn.
+enum Subject {
+    Declared(&'static Scene),
+    Drawn(String),
+}
+
+impl Subject {
+    /// Its place, and its text.
+    fn named(&self) -> (&str, &str) {
+        match self {
+            Self::Declared(scene) => (&scene.place, &scene.texts[0]),
+            Self::Drawn(text) => ("drawn", text),
+        }
+    }
+}
+
+fn subject(draw: &mut Draw) -> Subject {
+    let scenes = scenes();
+    if draw.chance(0.5) || scenes.is_empty() {
+        return Subject::Drawn(rubbing::scene(draw));
+    }
+    let place = draw.place_in(scenes.len()).unwrap_or_else(|| draw.below(scenes.len()));
+    Subject::Declared(&scenes[place])
 }
 
 /// The ability whose lack is told first.
