@@ -131,7 +131,10 @@ fn check_of<S: Real>(plan: &Plan) -> String {
         let step = plan.over_contact.as_ref().map(numbers);
         return text(plan, &rates, step.as_deref());
     }
-    let Some(rate) = plan.lowered.charts.get(chart).map(|chart| &chart.rate) else { return String::new() };
+    let in_chart = plan.lowered.charts.get(chart).map(|chart| &chart.rate);
+    let Some(rate) = in_chart.or(plan.is_absolute().then_some(&plan.lowered.absolute.dynamics)) else {
+        return String::new();
+    };
     let rates = |t: S, x: &[S]| {
         let mut rates = vec![S::ZERO; count];
         for (target, value) in results(plan, rate, &start.at(plan, t, x)) {

@@ -9,6 +9,7 @@ use plm_compiler::lowered::{
 use plm_runtime::{MoreauJean, Real};
 
 use crate::Precision;
+use crate::absolute;
 use crate::block::{Block, Value};
 use crate::dialect::Dialect as _;
 use crate::function::{RETURNED, Signature};
@@ -52,6 +53,9 @@ pub(crate) fn functions(plan: &Plan, contacts: &Contacts) -> String {
     }
     text.push_str(ROWS);
     text.push_str(&motions(plan, contacts));
+    if plan.is_absolute() {
+        text.push_str(&absolute::of_step(plan));
+    }
     text.push_str(STEP);
     if plan.reads_forces() {
         text.push_str(FORCES);
@@ -104,7 +108,7 @@ pub(crate) fn motion(plan: &Plan, chart: &ContactChart) -> (Block, Vec<(Target, 
 fn motions(plan: &Plan, contacts: &Contacts) -> String {
     let arguments = "const @p@ *self, plm_real t, const plm_real x[@states@], @p@_motion *motion";
     let (mut text, mut choice) = (String::new(), String::new());
-    let count = plan.charts().len();
+    let count = plan.charts().len().max(1);
     for (number, chart) in contacts.charts.iter().enumerate().take(count) {
         let (block, results) = motion(plan, chart);
         let _ = writeln!(text, "static plm_real @p@_motion_{number}({arguments})");
@@ -246,6 +250,8 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
     let expansion = "            for (k = 0; (k < 2) && (@p@_law[i] == @up@_FRICTION); k++) {\n                \
          problem.kinetic[i][k].own = @p@_at(problem.kinetic[i][k].own, problem.kinetic[i][k].by, back);\n                \
          problem.adhesion[i][k].own = @p@_at(problem.adhesion[i][k].own, problem.adhesion[i][k].by, back);\n            }\n";
+    let joined = "    if (@p@_drifts(self, self->time + h, x)) {\n        i = @p@_project(self, self->time + h, x);\n        \
+        if (i != PLM_OK) {\n            *part = 6 - @first_row@;\n            return i;\n        }\n    }\n";
     let law = if contacts.impacts == Impacts::Newton { NEWTON } else { POISSON };
     let exists = match &contacts.exist {
         Some(_) => {
@@ -259,6 +265,7 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
     vec![
         ("signs", where_wanted(rubs, SIGNS)),
         ("look_at_signs", where_wanted(rubs, look)),
+        ("joined", where_wanted(plan.projects(), joined)),
         ("impacts", where_wanted(strikes, IMPACTS)),
         ("impact_law", law.to_owned()),
         ("strike", where_wanted(strikes, strike)),

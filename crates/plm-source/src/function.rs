@@ -54,8 +54,8 @@ impl Plan<'_> {
     pub(crate) fn length(&self, array: &str) -> usize {
         let counts = &self.counts;
         let length = match array {
-            "q" | "v" | "a" => counts.of_bodies,
-            "lambda" => counts.rows,
+            "q" | "v" | "a" | "w" | "dq" | "inverse_mass" => counts.of_bodies,
+            "lambda" | "phi" | "phi_dot" | "r" => counts.rows,
             "memory" => counts.memory,
             "g" => counts.watched,
             "at" | "slope" => counts.times,

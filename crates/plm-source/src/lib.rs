@@ -4,6 +4,7 @@
 //! bit, as far as a C compiler rounds as IEEE 754 says: `NAME_check` of each source tells whether it does. [`Refused`] names the part
 //! of a mechanism that no source has yet; nothing is printed with other numbers instead.
 
+mod absolute;
 mod block;
 mod c;
 mod check;

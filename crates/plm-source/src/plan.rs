@@ -14,6 +14,7 @@ use crate::c::C;
 use crate::check;
 use crate::names;
 use crate::source::{CAUSES, parts};
+use crate::template::fill;
 
 /// A part of a mechanism that no source has.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,10 +44,6 @@ pub(crate) fn refused(lowered: &Lowered) -> Vec<Refused> {
         if contacts.conditional.is_some() {
             refuse(row, "a constraint that holds on a condition");
         }
-    }
-    if lowered.form == Form::Absolute {
-        let part = lowered.rows.first().map(|row| &row.part).or(lowered.bodies.first());
-        refuse(part.map_or("", String::as_str), "absolute coordinates, which are projected onto the joints");
     }
     let switches = &lowered.switches;
     if switches.read_solution
@@ -172,7 +169,14 @@ impl<'a> Plan<'a> {
 
     /// A text with its name and sizes.
     pub(crate) fn filled(&self, text: &str) -> String {
-        text.replace("@p@", &self.name).replace("@places@", &self.counts.places.to_string())
+        let sizes = [
+            ("places", self.counts.places),
+            ("states", self.length("x")),
+            ("of_bodies", self.length("q")),
+            ("nq", self.counts.coordinates),
+        ];
+        let sizes = sizes.map(|(word, size)| (word, size.to_string()));
+        fill(text, &[sizes.as_slice(), &[("p", self.name.clone())]].concat())
     }
 
     pub(crate) fn c(&self) -> C {
@@ -190,6 +194,15 @@ impl<'a> Plan<'a> {
     pub(crate) fn charts(&self) -> &'a [Chart] {
         let all = &self.lowered.charts;
         if self.is_loops() { all } else { all.get(..1).unwrap_or_default() }
+    }
+
+    pub(crate) fn is_absolute(&self) -> bool {
+        self.lowered.form == Form::Absolute
+    }
+
+    /// Are states projected onto joints?
+    pub(crate) fn projects(&self) -> bool {
+        self.is_absolute() && self.lowered.baumgarte.is_none()
     }
 
     pub(crate) fn is_loops(&self) -> bool {

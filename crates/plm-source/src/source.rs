@@ -6,8 +6,8 @@ use crate::Precision;
 use crate::function::Signature;
 use crate::plan::Plan;
 use crate::template::{fill, indented};
-use crate::{check, contact, events, kinds, loops, names, numbers};
-use plm_compiler::lowered::{Chart, Routine};
+use crate::{absolute, check, contact, events, kinds, loops, names, numbers};
+use plm_compiler::lowered::{Chart, Form, Routine};
 
 const STEP: &str = include_str!("c/step.c.txt");
 const FORMULA: &str = include_str!("c/formula.c.txt");
@@ -20,23 +20,26 @@ const TURNS: &str = include_str!("c/turns.c.txt");
 const TREE: &str = include_str!("c/tree.c.txt");
 const LOOPS: &str = include_str!("c/loops.c.txt");
 
-const RATE: Signature = Signature { reads: &["x"], writes: &["dx"], returns: true, is_forced: true };
+pub(crate) const RATE: Signature =
+    Signature { reads: &["x"], writes: &["dx"], returns: true, is_forced: true };
 const POSE: Signature = Signature { reads: &["x"], writes: &["q", "v"], returns: true, is_forced: false };
 const REMEMBER: Signature = Signature { reads: &["x"], writes: &["memory"], returns: true, is_forced: false };
 const REMEMBER_POSE: Signature =
     Signature { reads: &["q", "v"], writes: &["memory"], returns: true, is_forced: false };
 const FROM_POSE: Signature =
     Signature { reads: &["q", "v"], writes: &["x"], returns: false, is_forced: false };
-const GUARDS: Signature = Signature { reads: &["x"], writes: &["g"], returns: false, is_forced: false };
+pub(crate) const GUARDS: Signature =
+    Signature { reads: &["x"], writes: &["g"], returns: false, is_forced: false };
 
 /// Causes that end a step, in the order of the numbers that `NAME_text` knows.
-pub(crate) const CAUSES: [&str; 6] = [
+pub(crate) const CAUSES: [&str; 7] = [
     "",
     "the length of a step is not positive, or less than the time can resolve",
     "the equations are nearly singular at this pose",
     "a number is infinite or not a number",
     "a body of a loop turned too far in one step to be followed",
     "a reaction is not determined",
+    "the joints cannot be closed again",
 ];
 
 /// The file.
@@ -60,6 +63,9 @@ pub(crate) fn source(plan: &Plan) -> String {
 
 /// The routines of each chart, and functions that choose among them.
 fn routines(plan: &Plan) -> String {
+    if plan.is_absolute() {
+        return absolute::functions(plan);
+    }
     let mut text = String::new();
     let mut of_charts = |name: &str, signature, of: &dyn Fn(&Chart) -> Option<&Routine>, of_own: bool| {
         text.push_str(&in_charts(plan, name, signature, of, of_own));
@@ -149,12 +155,17 @@ fn in_charts<'r>(
 
 /// The step, with what stands between steps.
 fn steps(plan: &Plan) -> String {
-    let is_plain = !plan.is_loops() && plan.counts.turns == 0 && plan.lowered.switches.all.is_empty();
+    let is_plain =
+        plan.lowered.form == Form::Tree && plan.counts.turns == 0 && plan.lowered.switches.all.is_empty();
     let (mut follow, mut between) = (String::new(), String::new());
     if !is_plain {
         BETWEEN.clone_into(&mut between);
         follow.push_str(if plan.counts.turns > 0 { TURNS } else { "" });
-        follow.push_str(if plan.is_loops() { LOOPS } else { TREE });
+        follow.push_str(match plan.lowered.form {
+            Form::Loops => LOOPS,
+            Form::Tree => TREE,
+            Form::Absolute => absolute::BETWEEN,
+        });
         follow.push_str(&events::functions(plan));
         follow.push_str(ARRIVE);
         if plan.conditions_read_modes() {
@@ -171,7 +182,8 @@ fn steps(plan: &Plan) -> String {
 fn formula(plan: &Plan) -> [(&'static str, String); 5] {
     let Some(contacts) = &plan.lowered.contacts else {
         let call = "    health = @p@_formula(self, h, next);\n";
-        return [("formula", FORMULA), ("call", call), ("commit", ""), ("place", ""), ("row", "")]
+        let own = if plan.is_absolute() { absolute::of_step(plan) } else { String::new() };
+        return [("formula", &*(own + FORMULA)), ("call", call), ("commit", ""), ("place", ""), ("row", "")]
             .map(|(word, text)| (word, text.to_owned()));
     };
     let [call, commit] = contact::call();
@@ -195,17 +207,31 @@ fn words(plan: &Plan) -> Vec<(&'static str, String)> {
     all.push(("crossed_function", if may_be_singular { CROSSED } else { "" }.to_owned()));
     all.push(("unwind", indented(&loops::unwind(plan), 4)));
     all.push(("near", loops::near(plan)));
-    let regular = if may_be_singular {
+    let is_ill = plan.is_absolute() && plan.lowered.may_be_singular;
+    let regular = if is_ill {
+        " && !@p@_is_ill(self, health, end, next)".to_owned()
+    } else if may_be_singular {
         format!(" && !({prefix}_crossed(self, end, next) > @sharp@)")
     } else {
         String::new()
     };
     all.push(("uncrossed", regular));
     all.extend(events::words(plan));
+    all.extend(absolute::words(plan));
+    let ill = "    if (@p@_is_ill(self, health, end, next)) {\n        return @p@_fail(self, PLM_POSE, @part_pose@);\n    }\n";
     let crossed = "    if (@p@_crossed(self, end, next) > @sharp@) {\n        return @p@_fail(self, PLM_POSE, @part_pose@);\n    }\n";
-    all.push(("crossed", if may_be_singular { crossed.to_owned() } else { String::new() }));
+    all.push((
+        "crossed",
+        match (is_ill, may_be_singular) {
+            (true, _) => ill.to_owned(),
+            (_, true) => crossed.to_owned(),
+            _ => String::new(),
+        },
+    ));
     all.extend(numbers::numbers(plan));
-    for (word, number) in [("part_step", 1), ("part_pose", 2), ("part_finite", 3), ("part_far", 4)] {
+    for (word, number) in
+        [("part_step", 1), ("part_pose", 2), ("part_finite", 3), ("part_far", 4), ("part_open", 6)]
+    {
         all.push((word, number.to_string()));
     }
     all.push(("part_locked", format!("{prefix}_flattest(self->chart, after)")));

@@ -22,7 +22,15 @@ fn random_calls_do_nothing_that_c_leaves_undefined() {
         let mechanism = Mechanism::from_file(root.join(format!("{name}.plm"))).unwrap();
         (name.to_owned(), mechanism)
     };
-    let snapshots = ["arm_on_jack", "bouncer", "chain", "driven_crank", "four_bar", "plate_on_three_pins"];
+    let snapshots = [
+        "arm_on_jack",
+        "bouncer",
+        "chain",
+        "driven_crank",
+        "four_bar",
+        "plate_on_three_pins",
+        "slider_crank",
+    ];
     for (name, mechanism) in snapshots.map(of_snapshot).into_iter().chain(scenes()) {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("calls-{name}"));
         fs::create_dir_all(&folder).unwrap();

@@ -10,7 +10,7 @@ use crate::tolerances::closed;
 use crate::vector::Vector;
 
 /// Newton steps and velocity corrections that are enough from any drift worth projecting.
-const ITERATIONS: usize = 12;
+pub(super) const ITERATIONS: u32 = 12;
 
 /// Moves `q`, then `v`, onto phi = 0 and phi_q v = nu by the shortest way in the metric of the masses, so that no
 /// motion is added (E. Eich, Convergence results for a coordinate projection method, SIAM J. Numer. Anal. 30, 1993).

@@ -128,12 +128,18 @@ fn mark<S: Real, const N: usize>(marks: &mut [bool; N], vector: &[S; N], size: S
 /// A position beside `q` that no symmetry singles out: free coordinates moved by up to 0.1 (rad, and m, or less where the
 /// mechanism is smaller), by the fractions of multiples of the golden ratio. The rank there is the highest that the equations can have, off phi = 0.
 pub(crate) fn beside<S: Real, const NQ: usize>(q: &[S; NQ], free: &[S; NQ], length: S) -> [S; NQ] {
-    let (mut fraction, reach) = (0.0, S::lit(0.2) * length.min(S::lit(1.0)));
-    Vector::from_fn(|i| {
+    let (mut parts, reach) = (fractions(), S::lit(0.2) * length.min(S::lit(1.0)));
+    Vector::from_fn(|i| q[i] + free[i] * reach * S::lit(parts.next().unwrap_or_default()))
+}
+
+/// The fractions of multiples of the golden ratio, less a half.
+pub(super) fn fractions() -> impl Iterator<Item = f64> {
+    let mut fraction = 0.0;
+    core::iter::repeat_with(move || {
         fraction += 0.618_033_988_749_894_9;
         if fraction >= 1.0 {
             fraction -= 1.0;
         }
-        q[i] + free[i] * reach * S::lit(fraction - 0.5)
+        fraction - 0.5
     })
 }

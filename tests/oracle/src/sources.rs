@@ -1,4 +1,4 @@
-//! Every declaration of the book, of parts, examples and benchmarks as C source, and random scenes of contact: the bits of steps from text,
+//! Every declaration of the book, of parts, examples and benchmarks as C source, in both formulations, and random scenes of contact: the bits of steps from text,
 //! by several compilers' options and lengths of steps.
 
 mod rubbing;
@@ -31,7 +31,7 @@ pub(crate) fn case(draw: &mut Draw) -> Case {
     let text = format!("{name}\n{declared}\nsteps of {h:e} s, cc {}", options.join(" "));
     let made;
     let mechanism = match &subject {
-        Subject::Declared(scene) => scene.machine(0),
+        Subject::Declared(scene, formulation) => scene.machine(*formulation),
         Subject::Drawn(text) => {
             made = Mechanism::from_text(text);
             made.as_ref().map_err(Clone::clone)
@@ -59,7 +59,8 @@ pub(crate) fn case(draw: &mut Draw) -> Case {
 
 /// A declaration of the repository, or one that was drawn.
 enum Subject {
-    Declared(&'static Scene),
+    /// With the number of its formulation.
+    Declared(&'static Scene, usize),
     Drawn(String),
 }
 
@@ -67,7 +68,7 @@ impl Subject {
     /// Its place, and its text.
     fn named(&self) -> (&str, &str) {
         match self {
-            Self::Declared(scene) => (&scene.place, &scene.texts[0]),
+            Self::Declared(scene, formulation) => (&scene.place, &scene.texts[*formulation]),
             Self::Drawn(text) => ("drawn", text),
         }
     }
@@ -79,7 +80,7 @@ fn subject(draw: &mut Draw) -> Subject {
         return Subject::Drawn(rubbing::scene(draw));
     }
     let place = draw.place_in(scenes.len()).unwrap_or_else(|| draw.below(scenes.len()));
-    Subject::Declared(&scenes[place])
+    Subject::Declared(&scenes[place], draw.below(scenes[place].texts.len()))
 }
 
 /// The ability whose lack is told first.
