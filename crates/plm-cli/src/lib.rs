@@ -10,7 +10,9 @@
 //! plm export FILE              a project that makes a program, C, an FMU or a wheel of it, its MJCF or URDF, a link
 //! plm import FILE              a declaration from URDF, SDF or MJCF, a contour from DXF
 //! plm fmt [--check] FILE…      one layout, with comments kept
+//! plm picture FILE             a drawing, as SVG
 //! plm lsp                      a language server on standard input and output
+//! plm mcp                      a server of the Model Context Protocol on standard input and output
 //! ```
 //!
 //! A file is a declaration (`.plm`), or Rust with `mechanism! { … }` in it (`.rs`).
@@ -25,6 +27,8 @@ mod interrupt;
 mod json;
 mod layout;
 mod lexer;
+#[cfg(feature = "mcp")]
+mod mcp;
 mod package;
 mod quote;
 mod read;
@@ -40,6 +44,8 @@ pub use excerpt::declarations;
 pub use fitted::{Found, with_values};
 pub use interrupt::interrupt;
 pub use json::diagnostics;
+#[cfg(feature = "mcp")]
+pub use mcp::memory_limit;
 #[cfg(feature = "identify")]
 pub use readings::experiment;
 pub use server::Server;

@@ -5,7 +5,21 @@ use std::process::ExitCode;
 /// The exit code of what Ctrl+C ends at once, as of a shell.
 const INTERRUPTED: i32 = 130;
 
+/// Counts what is allocated, so that a call of `plm mcp` has a limit: beyond it Rust ends the process.
+#[cfg(feature = "mcp")]
+#[global_allocator]
+static ALLOCATOR: cap::Cap<std::alloc::System> = cap::Cap::new(std::alloc::System, usize::MAX);
+
 fn main() -> ExitCode {
+    #[cfg(feature = "mcp")]
+    if let Some(limit) = plm_cli::memory_limit()
+        && ALLOCATOR.set_limit(limit).is_err()
+    {
+        eprintln!(
+            "plm: the limit of memory is less than what it takes to begin: memory allocation of more failed"
+        );
+        return ExitCode::from(2);
+    }
     // Without it Ctrl+C ends the program at once.
     let _ = ctrlc::set_handler(|| {
         if !plm_cli::interrupt() {

@@ -75,9 +75,14 @@ fn bytes(input: &mut dyn Read, largest: u64) -> Result<Vec<u8>, String> {
 /// # Errors
 /// It cannot be read.
 pub(crate) fn named(name: &str, declaration: &str) -> Result<String, String> {
+    text_of(&place_of(name, declaration, Path::new("")))
+}
+
+/// The place of such a file; that of the declaration is relative to `root`, as is the result.
+pub(crate) fn place_of(name: &str, declaration: &str, root: &Path) -> PathBuf {
     let folder = Path::new(declaration).parent().unwrap_or(Path::new(""));
-    let packages =
-        || folder.ancestors().find(|folder| folder.join("Cargo.toml").is_file()).map(PathBuf::from);
-    let folder = if is_rust(declaration) { packages() } else { None }.unwrap_or_else(|| folder.to_owned());
-    text_of(&folder.join(name))
+    let has_manifest = |folder: &&Path| root.join(folder).join("Cargo.toml").is_file();
+    let package = || folder.ancestors().find(has_manifest).map(PathBuf::from);
+    let folder = if is_rust(declaration) { package() } else { None }.unwrap_or_else(|| folder.to_owned());
+    folder.join(name)
 }

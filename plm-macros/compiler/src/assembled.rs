@@ -4,7 +4,7 @@ use crate::collect::{CollectVec, MapEach};
 use plm_cas::{Expr, Function, Node, algebra};
 
 use crate::model::{Body, FrameRef, Input, Model, Name, Part, SetField};
-use crate::numeric::{Scene, at_start, value};
+use crate::numeric::{Assembly, Scene, at_start, freedom, value};
 use crate::oracle::Oracle;
 use crate::picture::{PicturePort, points, port};
 use crate::span::Span;
@@ -28,6 +28,10 @@ pub struct Assembled {
     pub parts: Vec<AssembledPart>,
     /// The places of its events.
     pub events: Vec<Span>,
+    /// Degrees of freedom: coordinates less the rank of the constraints.
+    pub freedom: usize,
+    /// The parts of rows that say at the start what others say.
+    pub redundant: Vec<String>,
 }
 
 /// An input.
@@ -159,9 +163,19 @@ impl Oracle {
                 ground: model.ground.iter().map(|row| port(row, &number)).collect_vec(),
                 parts: parts.map(|(k, part)| self::part(model, k, part, &known)).collect_vec(),
                 events: model.whens.iter().map(|when| when.span).collect_vec(),
+                freedom: freedom(&scene, &start),
+                redundant: redundant(model, &start),
             }
         })
     }
+}
+
+/// The parts of rows that depend on others, each once. Rows of locks come after those of the model.
+fn redundant(model: &Model, start: &Assembly) -> Vec<String> {
+    let rows = start.rank.dependent.iter().filter_map(|(row, _)| model.rows.get(*row));
+    let mut parts: Vec<usize> = rows.map(|row| row.part).collect_vec();
+    parts.dedup();
+    parts.into_iter().map(|part| model.parts[part].name.text.clone()).collect_vec()
 }
 
 fn input(input: &Input, number: &impl Fn(Expr) -> f64) -> AssembledInput {

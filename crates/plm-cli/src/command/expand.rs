@@ -1,5 +1,8 @@
 //! `plm expand` and `plm report`: the code that the macro emits, and what the compiler found and chose.
 
+use plm_compiler::AssembledBody;
+use serde_json::json;
+
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
 use crate::checked::{Checked, Declarations};
@@ -19,11 +22,48 @@ pub(super) const REPORT: Command = Command {
     name: "report",
     usage: "FILE",
     title: "tells bodies, rows, formulation, operations and assembly",
-    options: &[],
-    run: |words, streams| {
-        run(words, streams, |checked| checked.expansion.report.as_ref().map(ToString::to_string))
+    options: &[(
+        "--json",
+        "an object of JSON a line, with freedoms, redundant parts and the assembled poses",
+    )],
+    run: |mut words, streams| {
+        let of = if words.takes("--json") { json } else { text };
+        run(words, streams, of)
     },
 };
+
+fn text(checked: &Checked) -> Option<String> {
+    checked.expansion.report.as_ref().map(ToString::to_string)
+}
+
+/// The report in numbers, and the start as it is assembled.
+fn json(checked: &Checked) -> Option<String> {
+    let report = checked.expansion.report.as_ref()?;
+    let start = checked.expansion.oracle.as_ref()?.assembled();
+    let body = |body: &AssembledBody| {
+        let ([x, y, angle], [vx, vy, omega]) = (body.pose, body.velocity);
+        json!({
+            "name": body.name, "x_m": x, "y_m": y, "angle_rad": angle,
+            "vx_m_per_s": vx, "vy_m_per_s": vy, "omega_rad_per_s": omega,
+        })
+    };
+    let all = json!({
+        "name": report.name,
+        "bodies": start.bodies.iter().map(body).collect::<Vec<_>>(),
+        "parts": report.parts,
+        "constraint_rows": report.constraints,
+        "freedoms_by_count": report.freedom,
+        "freedoms": start.freedom,
+        "redundant_parts": start.redundant,
+        "first_order_states": report.states,
+        "formulation": {
+            "number": report.taken.number, "unknowns": report.taken.formulation, "reason": report.taken.reason,
+        },
+        "operations_of_a_rate": report.rate.total(),
+        "assembly": report.assembly,
+    });
+    Some(all.to_string())
+}
 
 /// Writes something of every declaration of a file without errors; diagnostics go to the messages.
 fn run(words: Words, streams: &mut Streams, of: fn(&Checked) -> Option<String>) -> Result<Outcome, Failure> {

@@ -9,9 +9,13 @@ mod fmt;
 mod identify;
 mod import;
 mod lsp;
+#[cfg(feature = "mcp")]
+mod mcp;
 #[cfg(feature = "identify")]
 mod modes;
+mod picture;
 mod run;
+mod start;
 mod words;
 
 use std::ffi::OsString;
@@ -72,12 +76,15 @@ const COMMANDS: &[Command] = &[
     identify::COMMAND,
     #[cfg(feature = "identify")]
     modes::COMMAND,
+    picture::COMMAND,
     expand::EXPAND,
     expand::REPORT,
     export::COMMAND,
     import::COMMAND,
     fmt::COMMAND,
     lsp::COMMAND,
+    #[cfg(feature = "mcp")]
+    mcp::COMMAND,
 ];
 
 /// Runs the command that the arguments name, without the name of the program.

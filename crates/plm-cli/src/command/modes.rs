@@ -3,17 +3,17 @@
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
-use plm_dynamic::{Error, Mechanism, OnRun};
+use plm_dynamic::{Error, OnRun};
 use plm_runtime::held::Discrete;
 use plm_runtime::{BodyState, Described, Fault, Linear, Method, Moment, Sim, StartValues, Statics};
 use plm_studies::analysis::{Linearisation, Shape, linearise};
 use plm_view::{Page, Recorder, Recording, Results};
+use serde_json::{Value, json};
 
-use super::run::{refused, setting};
+use super::run::refused;
+use super::start::Start;
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
-use crate::excerpt::is_rust;
-use crate::read;
 
 pub(super) const COMMAND: Command = Command {
     name: "modes",
@@ -24,6 +24,7 @@ pub(super) const COMMAND: Command = Command {
         ("--input NAME=VALUE", "an input, in its declared unit or with one"),
         ("--as-started", "at the start itself, which need not be an equilibrium"),
         ("--view FILE", "writes a page in which the mechanism swings along each mode (HTML)"),
+        ("--json", "an object of JSON instead of a table"),
     ],
     run,
 };
@@ -36,26 +37,9 @@ const PERIODS: usize = 2;
 const LARGEST: f64 = 0.2;
 
 fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
-    let (set, input) = (words.values("--set"), words.values("--input"));
-    let (is_as_started, view) = (words.takes("--as-started"), words.value("--view").map(PathBuf::from));
-    let file = read::file(&words.file()?, streams.input)?;
-    if is_rust(&file.name) {
-        let name = file.name;
-        return Err(format!("{name}: modes want a file that is a declaration (`.plm`), not Rust").into());
-    }
-    let started = || -> Result<_, Failure> {
-        let mut mechanism = Mechanism::from_named_text(&file.name, &file.text)?;
-        for text in &set {
-            let (name, value) = setting("--set", text, mechanism.declared_parameters())?;
-            mechanism.set_parameter(name, value)?;
-        }
-        for text in &input {
-            let (name, value) = setting("--input", text, mechanism.declared_inputs())?;
-            mechanism.set_input(name, value)?;
-        }
-        Ok(mechanism.start()?)
-    };
-    let mut run = match started() {
+    let (is_as_started, is_json) = (words.takes("--as-started"), words.takes("--json"));
+    let view = words.value("--view").map(PathBuf::from);
+    let mut run = match Start::asked(words, streams)?.run() {
         Ok(run) => run,
         Err(failure) => return refused(failure, streams),
     };
@@ -71,7 +55,11 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             return Ok(Outcome::Wrong);
         }
     };
-    write!(streams.output, "{}", table(&system))?;
+    if is_json {
+        writeln!(streams.output, "{}", json(&system))?;
+    } else {
+        write!(streams.output, "{}", table(&system))?;
+    }
     if let Some(path) = view {
         if recordings.is_empty() {
             return Err("no mode oscillates: there is nothing to be shown".into());
@@ -101,6 +89,25 @@ fn table(system: &Linearisation) -> String {
         )
     };
     std::iter::once(head.to_owned()).chain(system.shapes().iter().enumerate().map(line)).collect()
+}
+
+/// Modes as JSON: shapes as amplitude and phase, rad, of each coordinate.
+fn json(system: &Linearisation) -> Value {
+    let mode = |shape: &Shape| {
+        let mode = shape.mode;
+        let own = system.states.iter().zip(&shape.vector).take(system.coordinates);
+        let parts = own.map(
+            |(name, part)| json!({ "coordinate": name, "amplitude": part.norm(), "phase_rad": part.arg() }),
+        );
+        json!({
+            "frequency_rad_per_s": mode.frequency,
+            "frequency_Hz": mode.frequency / TAU,
+            "damping": mode.damping,
+            "eigenvalue_per_s": [mode.eigenvalue.re, mode.eigenvalue.im],
+            "shape": parts.collect::<Vec<_>>(),
+        })
+    };
+    json!({ "modes": system.shapes().iter().map(mode).collect::<Vec<_>>() })
 }
 
 /// Coordinates that take part, with amplitude and phase over the largest.

@@ -11,6 +11,7 @@ use plm_view::svg::write_file;
 mod asked;
 mod fault;
 mod following;
+mod json;
 mod recording;
 mod signals;
 mod told;
@@ -56,6 +57,7 @@ pub(super) const COMMAND: Command = Command {
             "rows of tables and CSV at multiples of `--every` alone: none where something switches or where it ends",
         ),
         ("--stats", "tells counts of steps and contacts, and what switched, on standard error"),
+        ("--json", "columns, rows, events, notices and the end as one object of JSON, on standard output"),
         ("--csv FILE", "writes all that compiled programs write as CSV; `-` is the standard output"),
         ("--view FILE", "writes a page that moves (HTML), as compiled programs do"),
         ("--out FILE", "writes a results file (.npz), as compiled programs do"),
@@ -81,6 +83,11 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     };
     let inputs = &mut course;
     let mut following = Following::new(&run, asked.method, asked.until, &mut *streams.errors);
+    if asked.json {
+        let ended = json::gathered(&asked, &mut run, inputs, &mut following);
+        following.end();
+        return ended.write(&mut run, &file, streams);
+    }
     let (outcome, events) = if asked.view.is_some() || asked.out.is_some() {
         recording::write(&asked, &mut run, inputs, &mut following, streams.output)?
     } else if let Some(name) = &asked.csv {

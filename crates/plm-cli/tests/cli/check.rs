@@ -111,7 +111,11 @@ fn words_that_are_no_command_are_answered() {
             &["check", "--jsn", "-"],
             "there is no option --jsn; `--json` is one\noptions of `plm check`: --json\n",
         ),
-        (&["report", "--jsn", "-"], "there is no option --jsn\noptions of `plm report`: none\n"),
+        (
+            &["report", "--jsn", "-"],
+            "there is no option --jsn; `--json` is one\noptions of `plm report`: --json\n",
+        ),
+        (&["expand", "--jsn", "-"], "there is no option --jsn\noptions of `plm expand`: none\n"),
         (&["--json"], "there is no option --json"),
         (&["expand", "a", "b"], "one file at a time"),
     ] {

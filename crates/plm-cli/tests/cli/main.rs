@@ -14,6 +14,7 @@ mod import_loops;
 mod inputs;
 mod json;
 mod lsp;
+mod mcp;
 mod modes;
 mod run;
 mod told;

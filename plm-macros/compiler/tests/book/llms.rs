@@ -191,3 +191,32 @@ fn the_language_in_short_is_that_of_the_compiler() {
     assert!(words::parts().iter().all(|(name, _)| made.contains(&format!(" {name}("))));
     same(&book().join("llms.txt"), &made);
 }
+
+/// The texts in brackets after `mechanism!`, and those that are fenced as `plm`.
+fn declarations(text: &str) -> Vec<String> {
+    let inside = |rest: &str| {
+        let mut depth = 0;
+        let end = rest.char_indices().find(|(_, letter)| {
+            depth += i32::from(*letter == '{') - i32::from(*letter == '}');
+            depth < 0
+        });
+        rest[..end.unwrap().0].to_owned()
+    };
+    let called = text.split("plm::mechanism! {").skip(1).map(inside);
+    let fenced = text.split("```plm\n").skip(1).map(|rest| rest.split("```").next().unwrap().to_owned());
+    called.chain(fenced).collect()
+}
+
+#[test]
+fn every_declaration_of_the_language_in_short_compiles() {
+    let text = fs::read_to_string(book().join("llms.txt")).unwrap();
+    let all = declarations(&text);
+    assert!(!all.is_empty());
+    for declaration in all {
+        let mut sources = Sources::new();
+        sources.add_text("llms.txt", &declaration);
+        let said = plm_compiler::compile(&mut sources).diagnostics;
+        let said: Vec<String> = said.sorted().iter().map(|one| one.render(&sources)).collect();
+        assert!(said.is_empty(), "{declaration}\n{}", said.join("\n"));
+    }
+}

@@ -66,6 +66,8 @@ pub(super) struct Asked {
     pub(super) rows: Rows,
     /// True if counters and events are printed.
     pub(super) stats: bool,
+    /// True if the result is one object of JSON.
+    pub(super) json: bool,
     pub(super) csv: Option<String>,
     pub(super) view: Option<PathBuf>,
     pub(super) out: Option<PathBuf>,
@@ -76,6 +78,10 @@ impl Asked {
         let csv = words.value("--csv");
         let [view, out] = ["--view", "--out"].map(|option| words.value(option).map(PathBuf::from));
         let has_files = csv.is_some() || view.is_some() || out.is_some();
+        let json = words.takes("--json");
+        if json && has_files {
+            return Err("--json is a result by itself: without --csv, --view and --out".into());
+        }
         let until = time("--until", words.value("--until"))?;
         let until = until.ok_or("a run needs its end: `--until SECONDS`")?;
         let every = time("--every", words.value("--every"))?;
@@ -90,7 +96,7 @@ impl Asked {
         let (set, input) = (words.values("--set"), words.values("--input"));
         let rows = if words.takes("--sampled") { Rows::Sampled } else { Rows::All };
         let (signals, stats) = (Signals::new(words)?, words.takes("--stats"));
-        Ok(Asked { until, every, set, input, signals, method, rows, stats, csv, view, out })
+        Ok(Asked { until, every, set, input, signals, method, rows, stats, json, csv, view, out })
     }
 }
 

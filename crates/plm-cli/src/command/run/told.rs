@@ -35,9 +35,9 @@ pub(super) fn stats(run: &mut Run, events: &[Event], to: &mut dyn Write) -> io::
     Ok(())
 }
 
-type Counted = (u64, &'static str);
+pub(super) type Counted = (u64, &'static str);
 
-fn steps(of: &Stats) -> [Counted; 13] {
+pub(super) fn steps(of: &Stats) -> [Counted; 13] {
     [
         (of.steps, "steps"),
         (of.rejected, "rejected"),
