@@ -156,7 +156,7 @@ fn steps(plan: &Plan) -> String {
 }
 
 /// All words of the templates.
-fn words(plan: &Plan) -> Vec<(&'static str, String)> {
+pub(crate) fn words(plan: &Plan) -> Vec<(&'static str, String)> {
     let (counts, prefix) = (&plan.counts, &plan.name);
     let may_be_singular = plan.is_loops() && plan.lowered.may_be_singular;
     let has_iterated = counts.iterated > 0;
