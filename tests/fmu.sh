@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# FMUs of FMI 3.0 and 2.0 by FMPy: validated, run in both modes, compared with Rust (tests/fmu/check.py and two.py say what they look
-# at). Makes a virtual environment of Python in target/tools and installs FMPy there, half a minute once. Where the tests are built as CI
+# FMUs of FMI 3.0 and 2.0 by FMPy: validated, run in both modes, compared with Rust (tests/fmu/check.py, two.py and, of FMUs with
+# sources, crates/plm-source/tests/fmu.py say what they look at). Makes a virtual environment of Python in target/tools and installs FMPy there, half a minute once. Where the tests are built as CI
 # builds them, all the rest takes three quarters of a minute. What is missing is said, and not checked.
 #
 #   bash tests/fmu.sh               # a hundred thousand steps for the memory
@@ -14,7 +14,7 @@ tools=$target/tools/fmpy
 version=0.3.32
 started=$SECONDS
 if ! "$tools/bin/python" -c "import fmpy; assert fmpy.__version__ == '$version'" 2>/dev/null; then
-    if ! python3 -m venv "$tools" || ! "$tools/bin/pip" install --quiet --disable-pip-version-check "fmpy==$version"; then
+    if ! python3 -m venv "$tools" || ! "$tools/bin/pip" install --quiet --disable-pip-version-check "fmpy==$version" cmake; then
         printf 'NOT CHECKED: FMPy cannot be had on this machine (python3 with venv and pip)\n'
         exit 0
     fi
@@ -43,4 +43,6 @@ export PLM_PYTHON=$tools/bin/python PLM_FMU_STEPS=${1:-100000}
 for test in an_fmu two_fmus; do
     cargo test --workspace --features analysis,batch,lanes --test foreign -- "$test" --nocapture
 done
+# Those with sources, which FMPy compiles.
+cargo test -p plm-source --test fmu -- --nocapture
 printf 'the FMUs are as FMI wants them; %d s\n' $((SECONDS - started))

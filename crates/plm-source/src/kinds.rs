@@ -168,7 +168,7 @@ pub(crate) fn functions(plan: &Plan) -> String {
 }
 
 /// A text as a literal of C.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let plain =
         text.chars().map(|letter| if letter.is_ascii() && !letter.is_ascii_control() { letter } else { '?' });
     format!("\"{}\"", plain.collect::<String>().replace('\\', "\\\\").replace('"', "\\\""))

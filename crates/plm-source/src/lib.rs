@@ -11,6 +11,7 @@ mod check;
 mod contact;
 mod dialect;
 mod events;
+mod fmu;
 mod function;
 mod header;
 mod kinds;
@@ -27,7 +28,9 @@ use std::fmt;
 
 use plm_dynamic::{Error, Mechanism};
 
+pub use self::fmu::{Fmu, fmu};
 pub use self::plan::Refused;
+pub use plm_foreign::fmi::{Interfaces, Version};
 
 /// The numbers that a source computes with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -80,6 +83,11 @@ const MATH: &str = include_str!("c/plm_math.h");
 /// # Errors
 /// [`Failure::Start`], where it cannot be assembled; [`Failure::Refused`].
 pub fn c(mechanism: &Mechanism, precision: Precision) -> Result<Vec<File>, Failure> {
+    printed(mechanism, precision).map(Vec::from)
+}
+
+/// The header, the source and `plm_math.h`.
+fn printed(mechanism: &Mechanism, precision: Precision) -> Result<[File; 3], Failure> {
     let lowered = mechanism.lowered();
     let refused = plan::refused(lowered);
     if !refused.is_empty() {
@@ -92,7 +100,7 @@ pub fn c(mechanism: &Mechanism, precision: Precision) -> Result<Vec<File>, Failu
     let plan = plan::Plan::new(mechanism, &steps, precision);
     let name = plan.name.clone();
     let math = File { name: "plm_math.h".to_owned(), text: MATH.to_owned() };
-    Ok(vec![
+    Ok([
         File { name: format!("{name}.h"), text: header::header(&plan) },
         File { name: format!("{name}.c"), text: source::source(&plan) },
         math,

@@ -198,7 +198,7 @@ fn formula(plan: &Plan) -> [(&'static str, String); 5] {
 }
 
 /// All words of the templates.
-fn words(plan: &Plan) -> Vec<(&'static str, String)> {
+pub(crate) fn words(plan: &Plan) -> Vec<(&'static str, String)> {
     let (counts, prefix) = (&plan.counts, &plan.name);
     let may_be_singular = plan.is_loops() && plan.lowered.may_be_singular;
     let has_iterated = counts.iterated > 0;

@@ -11,7 +11,8 @@ use plm_compiler::token::Sources;
 use plm_compiler::{Assembled, Oracle};
 use plm_dynamic::Mechanism;
 use plm_import::{Exported, Place, PlaceOf};
-use plm_source::Precision;
+use plm_source::{Interfaces, Precision, Version};
+use plm_view::package::archive;
 use plm_view::replace_file;
 
 use super::words::Words;
@@ -31,6 +32,9 @@ pub(super) const COMMAND: Command = Command {
         ("--python FOLDER", "the same package, and how it makes a wheel"),
         ("--c-source FOLDER", "C99 of it, for compilers of any target: no Rust, no library"),
         ("--single", "of --c-source: numbers of 32 bits"),
+        ("--fmu-source FILE", "an FMU with C sources: no Rust, no compiler"),
+        ("--fmi VERSION", "of --fmu-source: 2 or 3, for FMI 2.0 or 3.0"),
+        ("--interface NAME", "of --fmu-source: `model-exchange` or `co-simulation` alone"),
         ("--mjcf FILE", "a model of MuJoCo; `-` is the standard output"),
         ("--urdf FILE", "a robot of ROS; `-` is the standard output"),
         ("--link ADDRESS", "a link that opens it in the playground at this address, on the standard output"),
@@ -71,6 +75,7 @@ const FORMATS: [(&str, Format); 2] = [("--mjcf", plm_import::to_mjcf), ("--urdf"
 enum Wanted {
     Package(&'static Product, PathBuf),
     Source(PathBuf, Precision),
+    SourceFmu(PathBuf, Version, Option<Interfaces>),
     File(Format, String),
     Link(String),
 }
@@ -94,12 +99,11 @@ impl Asked {
         for (option, format) in FORMATS {
             wanted.extend(words.value(option).map(|file| Wanted::File(format, file)));
         }
-        let precision = if words.takes("--single") { Precision::Single } else { Precision::Double };
-        wanted.extend(words.value("--c-source").map(|folder| Wanted::Source(folder.into(), precision)));
+        wanted.extend(of_source(words)?);
         wanted.extend(words.value("--link").map(Wanted::Link));
         let (Some(wanted), true) = (wanted.pop(), wanted.is_empty()) else {
             return Err(
-                "an export makes one of --rust, --c, --c-source, --fmu, --python, --mjcf, --urdf and --link"
+                "an export makes one of --rust, --c, --c-source, --fmu, --fmu-source, --python, --mjcf, --urdf and --link"
                     .into(),
             );
         };
@@ -111,6 +115,45 @@ impl Asked {
         let (builds, overwrites) = (words.takes("--build"), words.takes("--force"));
         Ok(Asked { wanted, name, plm, builds, overwrites })
     }
+}
+
+/// C source, or an FMU of it, with their own options.
+fn of_source(words: &mut Words) -> Result<Vec<Wanted>, Failure> {
+    let is_single = words.takes("--single");
+    let [fmi, interface] = ["--fmi", "--interface"].map(|option| words.value(option));
+    let [source, fmu] = ["--c-source", "--fmu-source"].map(|option| words.value(option));
+    if is_single && source.is_none() {
+        return Err("--single is of --c-source: an FMU has numbers of 64 bits".into());
+    }
+    if (fmi.is_some() || interface.is_some()) && fmu.is_none() {
+        return Err("--fmi and --interface are of --fmu-source".into());
+    }
+    let precision = if is_single { Precision::Single } else { Precision::Double };
+    let (version, interfaces) = (version_of(fmi.as_deref())?, interfaces_of(interface.as_deref())?);
+    let source = source.map(|folder| Wanted::Source(folder.into(), precision));
+    let fmu = fmu.map(|file| Wanted::SourceFmu(file.into(), version, interfaces));
+    Ok(source.into_iter().chain(fmu).collect())
+}
+
+/// The version of an FMU with sources.
+fn version_of(word: Option<&str>) -> Result<Version, Failure> {
+    match word {
+        None | Some("3" | "3.0") => Ok(Version::Three),
+        Some("2" | "2.0") => Ok(Version::Two),
+        Some(other) => Err(format!("--fmi is 2 or 3, not `{other}`").into()),
+    }
+}
+
+/// Its interfaces, where they are chosen.
+fn interfaces_of(word: Option<&str>) -> Result<Option<Interfaces>, Failure> {
+    Ok(match word {
+        None => None,
+        Some("model-exchange") => Some(Interfaces::ModelExchange),
+        Some("co-simulation") => Some(Interfaces::CoSimulation),
+        Some(other) => {
+            return Err(format!("--interface is model-exchange or co-simulation, not `{other}`").into());
+        }
+    })
 }
 
 /// A clone of plm, in TOML.
@@ -156,6 +199,20 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             write(&files.collect::<Vec<_>>(), asked.overwrites, streams)?;
             Ok(Outcome::Good)
         }
+        Wanted::SourceFmu(file_name, version, interfaces) => {
+            let mechanism =
+                Mechanism::from_named_text(&file.name, &text).map_err(|error| error.to_string())?;
+            let made =
+                plm_source::fmu(&mechanism, *version, *interfaces).map_err(|failure| failure.to_string())?;
+            if interfaces.is_none() {
+                for refused in &made.without_exchange {
+                    writeln!(streams.errors, "co-simulation alone: {refused}")?;
+                }
+            }
+            let entries = made.files.into_iter().map(|made| (made.name, made.text.into_bytes()));
+            write(&[(file_name.clone(), &archive(entries)?)], asked.overwrites, streams)?;
+            Ok(Outcome::Good)
+        }
         Wanted::File(format, path) => {
             let assembled = expansion.oracle.as_ref().map(Oracle::assembled);
             let mechanism = assembled.ok_or("there is no mechanism in it")?;
@@ -197,17 +254,21 @@ fn place(sources: &Sources, span: Span) -> Place {
 }
 
 /// Writes files; none where one has other contents.
-fn write(files: &[(PathBuf, &str)], overwrites: bool, streams: &mut Streams) -> Result<(), Failure> {
-    let is_other = |(path, text): &&(PathBuf, &str)| {
-        path.exists() && fs::read(path).map_or(true, |present| present != text.as_bytes())
+fn write(
+    files: &[(PathBuf, impl AsRef<[u8]>)],
+    overwrites: bool,
+    streams: &mut Streams,
+) -> Result<(), Failure> {
+    let is_other = |(path, content): &&(PathBuf, _)| {
+        path.exists() && fs::read(path).map_or(true, |present| present != AsRef::<[u8]>::as_ref(content))
     };
     if let Some((path, _)) = files.iter().find(is_other).filter(|_| !overwrites) {
         return Err(format!("{} has other contents: `--force` writes over it", path.display()).into());
     }
-    for (path, text) in files {
+    for (path, content) in files {
         let unwritten = |why: std::io::Error| format!("{}: {why}", path.display());
         fs::create_dir_all(path.parent().unwrap_or(Path::new(""))).map_err(unwritten)?;
-        replace_file(path, text.as_bytes()).map_err(unwritten)?;
+        replace_file(path, content.as_ref()).map_err(unwritten)?;
         writeln!(streams.output, "written: {}", path.display())?;
     }
     Ok(())

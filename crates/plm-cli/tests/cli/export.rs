@@ -101,6 +101,30 @@ fn a_c_source_is_three_files_and_what_it_has_not_is_named() {
     assert!(said.code != 0 && said.errors.contains("`pin") && !folder.join("none").exists(), "{said:?}");
 }
 
+/// It is written without Rust and without a compiler; the tests of plm-source give it to an importer.
+#[test]
+fn an_fmu_with_sources_is_one_file() {
+    let folder = declared();
+    for (version, listed) in [("2", "<SourceFiles>"), ("3", "fmiVersion=\"3.0\"")] {
+        let file = format!("two_bars{version}.fmu");
+        let said = export(&folder, &["bar.plm", "--fmu-source", &file, "--fmi", version]);
+        assert_eq!(said, Said { code: 0, output: format!("written: {file}\n"), errors: String::new() });
+        let bytes = fs::read(folder.join(&file)).unwrap();
+        let has = |name: &str| bytes.windows(name.len()).any(|part| part == name.as_bytes());
+        assert!(has("modelDescription.xml") && has("sources/two_bars_fmi.c"));
+        assert_eq!(has("sources/buildDescription.xml"), version == "3", "{listed}");
+    }
+    for (words, why) in [
+        (["--fmu-source", "a.fmu", "--fmi", "1"].as_slice(), "--fmi is 2 or 3, not `1`"),
+        (&["--fmu-source", "a.fmu", "--interface", "both"], "--interface is model-exchange or co-simulation"),
+        (&["--fmu-source", "a.fmu", "--single"], "--single is of --c-source"),
+        (&["--c-source", "a", "--fmi", "2"], "--fmi and --interface are of --fmu-source"),
+    ] {
+        let said = export(&folder, &[&["bar.plm"], words].concat());
+        assert!(said.code == 2 && said.errors.contains(why), "{said:?}");
+    }
+}
+
 #[test]
 fn what_cannot_be_exported_is_told_and_nothing_is_written() {
     let folder = declared();

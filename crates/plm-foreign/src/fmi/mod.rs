@@ -5,6 +5,7 @@
 
 mod description;
 mod exchange;
+mod facts;
 #[allow(unsafe_code, reason = "pointers of other languages")]
 pub mod ffi;
 mod follow;
@@ -19,8 +20,9 @@ mod tangent;
 mod variable;
 mod version;
 
-pub use description::{description, token};
+pub use description::{build_description, description, token};
 pub use exchange::Update;
+pub use facts::{Code, Facts, Interfaces, Parameter};
 pub use instance::Instance;
 pub use method::{Absent, Choice, Emitted, Function, Made, NoMethod, Step, Steps};
 pub use mode::{Call, Interface, Mode};

@@ -6,15 +6,13 @@ use alloc::vec::Vec;
 use core::fmt::{self, Write};
 
 use plm_runtime::described::{Motion, Reads};
-use plm_runtime::{Rate, Vector};
 
-use super::description::output;
-use super::{Exchanged, Variable, Version};
+use super::{Facts, Variable, Version};
 
 /// Writes which variables are outputs, derivatives, and known at the start. In 2.0 each of these is a list, whose variables are
 /// counted from 1.
-pub(super) fn structure<M: Exchanged>(version: Version, declared: &M, to: &mut impl Write) -> fmt::Result {
-    let all: Vec<Variable> = Variable::all(declared).collect();
+pub(super) fn structure(version: Version, facts: &Facts, to: &mut impl Write) -> fmt::Result {
+    let all = &facts.variables;
     let first = version.pick(1, 0);
     let mut each = |element: &str, wanted: &dyn Fn(Variable) -> bool| {
         let wanted: Vec<_> = all.iter().enumerate().filter(|(_, variable)| wanted(**variable)).collect();
@@ -23,8 +21,7 @@ pub(super) fn structure<M: Exchanged>(version: Version, declared: &M, to: &mut i
             writeln!(to, "    <{element}>")?;
         }
         for (reference, variable) in wanted {
-            let known =
-                if element.starts_with("Initial") { None } else { known::<M>(version, *variable, &all) };
+            let known = if element.starts_with("Initial") { None } else { known(version, *variable, facts) };
             let known = known.map_or(String::new(), |known| {
                 let known: Vec<String> = known.iter().map(|known| (known + first).to_string()).collect();
                 format!(" dependencies=\"{}\"", known.join(" "))
@@ -36,7 +33,7 @@ pub(super) fn structure<M: Exchanged>(version: Version, declared: &M, to: &mut i
         }
         if list { writeln!(to, "    </{element}>") } else { Ok(()) }
     };
-    let is_output = |variable| matches!(variable, Variable::Output(k) if output::<M>(k).is_some());
+    let is_output = |variable| matches!(variable, Variable::Output(k) if facts.output(k).is_some());
     let is_rate = |variable| matches!(variable, Variable::Rate(_));
     let at_start =
         |variable| is_output(variable) || is_rate(variable) || matches!(variable, Variable::State(_));
@@ -51,42 +48,42 @@ pub(super) fn structure<M: Exchanged>(version: Version, declared: &M, to: &mut i
 }
 
 /// The value references of what an unknown depends on; none where it may depend on all that is known.
-fn known<M: Exchanged>(version: Version, unknown: Variable, all: &[Variable]) -> Option<Vec<usize>> {
-    let coordinates = <M as Rate>::NQ;
-    let row = row::<M>(unknown);
+fn known(version: Version, unknown: Variable, facts: &Facts) -> Option<Vec<usize>> {
+    let coordinates = facts.coordinates;
+    let row = row(unknown, facts);
     let depends = |known: Variable| match (unknown, row) {
         // 2.0 lists only dependences on quantities that can change while equations hold.
         _ if version == Version::Two && matches!(known, Variable::Parameter(_)) => Some(false),
         // The rate of a coordinate is its velocity.
         (Variable::Rate(k), _) if k < coordinates => Some(known == Variable::State(k + coordinates)),
-        (_, Some(reads)) => Some(is_read::<M>(reads, known)),
+        (_, Some(reads)) => Some(is_read(reads, known, facts)),
         _ => None,
     };
     depends(Variable::Time)?;
-    let known = all.iter().enumerate().filter(|(_, known)| depends(**known) == Some(true));
+    let known = facts.variables.iter().enumerate().filter(|(_, known)| depends(**known) == Some(true));
     Some(known.map(|(reference, _)| reference).collect())
 }
 
 /// Reads of an output or of the rate of a first-order state.
-fn row<M: Exchanged>(unknown: Variable) -> Option<&'static Reads> {
-    let outputs = M::TABLES.outputs;
+fn row<'a>(unknown: Variable, facts: &Facts<'a>) -> Option<&'a Reads> {
+    let outputs = facts.tables.outputs;
     let row = match unknown {
         Variable::Output(k) => {
-            let (name, _) = M::OBSERVED.get(k)?;
+            let (name, _) = facts.observed.get(k)?;
             outputs.iter().position(|output| output.name == *name)?
         }
-        Variable::Rate(k) => outputs.len() + k.checked_sub(2 * <M as Rate>::NQ)?,
+        Variable::Rate(k) => outputs.len() + k.checked_sub(2 * facts.coordinates)?,
         _ => return None,
     };
-    M::TABLES.reads.get(row)?.as_ref()
+    facts.tables.reads.get(row)?.as_ref()
 }
 
 /// Parameters may be in everything: poses depend on lengths.
-fn is_read<M: Exchanged>(reads: &Reads, known: Variable) -> bool {
-    let (coordinates, first) = (<M as Rate>::NQ, <M as Rate>::X::LEN - M::TABLES.states.len());
+fn is_read(reads: &Reads, known: Variable, facts: &Facts) -> bool {
+    let (coordinates, first) = (facts.coordinates, 2 * facts.coordinates);
     match known {
         Variable::Time => reads.time,
-        Variable::Parameter(_) => true,
+        Variable::Parameter(k) => facts.parameters.get(k).is_some_and(|own| !own.is_constant),
         Variable::Input(k) => reads.inputs.contains(&k),
         Variable::State(k) if k < coordinates => reads.motion >= Motion::Poses,
         Variable::State(k) if k < first => reads.motion == Motion::Velocities,

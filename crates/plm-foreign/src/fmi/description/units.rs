@@ -78,6 +78,11 @@ impl Units {
         }
     }
 
+    /// Is there none?
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Writes all of them; both versions use equal text.
     pub(super) fn write(&self, to: &mut impl Write) -> fmt::Result {
         self.0.iter().try_for_each(|(name, unit)| line(name, unit, to))

@@ -5,16 +5,14 @@ use alloc::string::{String, ToString};
 use core::fmt::{self, Write};
 
 use plm_runtime::described::Quantity;
-use plm_runtime::{Rate, StartValues, Vector};
 
 use super::units::{Unit, Units};
-use super::{METHODS, MODES, Xml, output};
-use crate::fmi::method::Settings;
-use crate::fmi::{Exchanged, Variable, Version};
+use super::{METHODS, MODES, Xml};
+use crate::fmi::{Facts, Parameter, Variable, Version};
 
 /// Attributes of a variable; those that it lacks are empty.
 #[derive(Default)]
-pub(super) struct Row {
+pub(super) struct Row<'a> {
     reference: usize,
     name: String,
     causality: &'static str,
@@ -27,66 +25,75 @@ pub(super) struct Row {
     of_state: Option<usize>,
     /// The type of a variable of whole numbers.
     whole: Option<&'static str>,
-    docs: &'static str,
+    docs: &'a str,
 }
 
-impl Row {
+impl<'a> Row<'a> {
     /// That of a variable.
-    pub(super) fn new<M: Exchanged>(
-        declared: &M,
+    pub(super) fn new(
+        facts: &Facts<'a>,
         (reference, variable, name): (usize, Variable, String),
         units: &mut Units,
     ) -> Self {
-        let (row, quantity) = Self::of(declared, variable);
+        let (row, quantity) = Self::of(facts, variable);
         let unit = match (quantity, variable) {
             (Some(quantity), _) => units.of(quantity),
-            (None, Variable::Output(k)) => units.named(M::OBSERVED.get(k).map_or("", |(_, unit)| unit)),
+            (None, Variable::Output(k)) => units.named(facts.observed.get(k).map_or("", |(_, unit)| unit)),
             (None, Variable::Time | Variable::Step) => units.named("s"),
-            (None, Variable::Start(k)) if k < 6 * M::TABLES.bodies.len() => {
+            (None, Variable::Start(k)) if k < 6 * facts.tables.bodies.len() => {
                 units.named(["m", "m", "rad", "m/s", "m/s", "rad/s"].get(k % 6).unwrap_or(&""))
             }
-            (None, Variable::State(k)) => unit_of_state(declared, k, units),
+            (None, Variable::State(k)) => unit_of_state(facts, k, units),
             (None, Variable::Rate(k)) => {
-                let unit = unit_of_state(declared, k, &mut Units::default()).si;
+                let unit = unit_of_state(facts, k, &mut Units::default()).si;
                 if unit.is_empty() { Unit::default() } else { units.rate_of(&unit) }
             }
             (None, _) => Unit::default(),
         };
-        let of_state = matches!(variable, Variable::Rate(_)).then(|| reference - <M as Rate>::X::LEN);
+        let of_state = matches!(variable, Variable::Rate(_)).then(|| reference - facts.states.len());
         let docs = quantity.map_or(row.docs, |quantity| quantity.docs);
         Self { reference, name, unit, of_state, docs, ..row }
     }
 
     /// Attributes of its kind, and the quantity that was declared.
-    fn of<M: Exchanged>(declared: &M, variable: Variable) -> (Self, Option<&'static Quantity>) {
-        let tables = M::TABLES;
+    fn of(facts: &Facts<'a>, variable: Variable) -> (Self, Option<&'a Quantity>) {
+        let tables = facts.tables;
         let number = |number: f64| Some(format!("{number:?}"));
         let row = |causality| Self { causality, ..Self::default() };
         let parameter = |variability, start| Self { variability, start, ..row("parameter") };
         match variable {
             Variable::Time => (row("independent"), None),
             Variable::Parameter(k) => {
-                let start = number(declared.parameter(k).unwrap_or_default());
-                (parameter("tunable", start), tables.parameters.get(k))
+                let own = facts.parameters.get(k);
+                let start = number(own.map_or(0.0, |own| own.value));
+                let row = match own {
+                    Some(Parameter { is_constant: true, .. }) => {
+                        Self { variability: "constant", initial: "exact", start, ..row("local") }
+                    }
+                    _ => parameter("tunable", start),
+                };
+                (row, tables.parameters.get(k))
             }
-            Variable::Start(k) => (parameter("fixed", number(start_value(declared, k))), None),
+            Variable::Start(k) => {
+                (parameter("fixed", number(facts.starts.get(k).map_or(0.0, |(_, value)| *value))), None)
+            }
             Variable::Method => {
                 let (start, docs) = (Some(String::from("1")), "method of co-simulation");
                 (Self { whole: Some(METHODS), docs, ..parameter("fixed", start) }, None)
             }
             Variable::Step => {
                 let docs = "longest step of methods of co-simulation with steps of fixed length";
-                (Self { docs, ..parameter("fixed", number(Settings::usual::<M>().step)) }, None)
+                (Self { docs, ..parameter("fixed", number(facts.step)) }, None)
             }
             Variable::Input(k) => {
-                let start = tables.inputs.get(k).and_then(|row| row.default).unwrap_or_default();
+                let start = facts.inputs.get(k).copied().unwrap_or_default();
                 (Self { start: number(start), ..row("input") }, tables.inputs.get(k))
             }
             Variable::Output(k) => {
-                (row(if output::<M>(k).is_some() { "output" } else { "local" }), output::<M>(k))
+                (row(if facts.output(k).is_some() { "output" } else { "local" }), facts.output(k))
             }
             Variable::State(k) => {
-                let nominal = Some(declared.typical().at(k));
+                let nominal = facts.states.get(k).map(|(_, nominal)| *nominal);
                 (Self { initial: "calculated", nominal, ..row("local") }, None)
             }
             Variable::Rate(_) | Variable::Indicator(_) => (row("local"), None),
@@ -144,8 +151,8 @@ fn perhaps(to: &mut String, attribute: &str, value: Option<impl AsRef<str>>) -> 
 }
 
 /// The unit of a state; none of a coordinate that is an angle in one chart and a length in another.
-fn unit_of_state<M: Exchanged>(declared: &M, index: usize, units: &mut Units) -> Unit {
-    if let Some(row) = index.checked_sub(2 * <M as Rate>::NQ).and_then(|k| declared.tables().states.get(k)) {
+fn unit_of_state(facts: &Facts, index: usize, units: &mut Units) -> Unit {
+    if let Some(row) = index.checked_sub(2 * facts.coordinates).and_then(|k| facts.tables.states.get(k)) {
         return units.of(row);
     }
     let unit = |name: &str| match name.rsplit('.').next() {
@@ -155,19 +162,7 @@ fn unit_of_state<M: Exchanged>(declared: &M, index: usize, units: &mut Units) ->
         Some("vx" | "vy" | "speed") => "m/s",
         _ => "",
     };
-    let mut all = declared.name_of_state(index).split(" or ").map(unit);
+    let mut all = facts.states.get(index).map_or("", |(name, _)| name).split(" or ").map(unit);
     let first = all.next().unwrap_or_default();
     units.named(if all.all(|other| other == first) { first } else { "" })
-}
-
-/// A start value.
-fn start_value<M: Exchanged>(declared: &M, index: usize) -> f64 {
-    let (mut copy, mut at, mut start) = (*declared, 0, 0.0);
-    copy.starts_mut().each(&mut |_, own| {
-        if at == index {
-            start = own.value;
-        }
-        at += 1;
-    });
-    start
 }

@@ -8,8 +8,7 @@ use core::fmt;
 use plm_runtime::{Moment, Rate, Vector};
 
 use super::{Handle, Outcome, Reason, fill, opened, put, read, with};
-use crate::fmi::names::names;
-use crate::fmi::{Call, Exchanged, Instance, Variable, follow};
+use crate::fmi::{Call, Exchanged, Facts, Instance, Variable, follow};
 use crate::{Error, Status};
 
 /// Why values were not had or set.
@@ -26,7 +25,7 @@ impl Refused {
     fn of<M: Exchanged>(instance: &Instance<M>, reference: u32, error: Error) -> Self {
         let name = usize::try_from(reference)
             .ok()
-            .and_then(|place| names(instance.declared()).into_iter().nth(place));
+            .and_then(|place| Facts::of(instance.declared()).names().into_iter().nth(place));
         Self::Variable(Box::new((name.unwrap_or_default(), error)))
     }
 }
