@@ -24,7 +24,6 @@ mod fitted;
 mod interrupt;
 mod json;
 mod layout;
-mod lexer;
 mod package;
 mod quote;
 mod read;
@@ -33,6 +32,8 @@ mod readings;
 mod server;
 mod table;
 mod value;
+
+use plm_draw::lexer;
 
 pub use command::{Outcome, Streams, run};
 pub use excerpt::declarations;
