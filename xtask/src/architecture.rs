@@ -22,11 +22,12 @@ const fn place(name: &'static str, role: &'static str, x: i32, layer: i32) -> Pl
 }
 
 /// A crate depends on crates in layers below its own. Columns leave a way for every arrow.
-const PLACES: [Place; 18] = [
+const PLACES: [Place; 19] = [
     place("plm-planar", "plm, the users' crate", 620, 0),
     place("plm-cli", "the command line", 236, 0),
     place("plm-jit", "machine code", 506, 1),
     place("plm-source", "C99", 370, 1),
+    place("plm-draw", "gestures as edits", 84, 2),
     place("plm-macros", "the macros", 84, 1),
     place("plm-dynamic", "mechanisms from text", 512, 2),
     place("plm-import", "files of others", 146, 2),

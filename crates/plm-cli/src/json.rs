@@ -1,10 +1,9 @@
 //! Diagnostics as JSON. Names of fields are those of rustc, so that tools which read its messages read these.
 
-use std::ops::Range;
-
 use plm_compiler::diag::{Diagnostic, Note, NoteKind, Severity};
 use plm_compiler::span::Span;
 use plm_compiler::token::Sources;
+pub(crate) use plm_draw::as_declared;
 use serde_json::{Value, json};
 
 use crate::checked::{Checked, Declarations};
@@ -106,43 +105,9 @@ impl Texts<'_> {
     }
 }
 
-/// The range in the text as declared of one in the text as read, which has brackets that were missing, and lines that end as on Unix.
-pub(crate) fn as_declared(read: &str, declared: &str, range: Range<usize>) -> Range<usize> {
-    if read == declared {
-        return range;
-    }
-    let place = |end: usize| {
-        let mut rest = declared.chars().peekable();
-        let mut bytes = 0;
-        for letter in read.get(..end).unwrap_or(read).chars() {
-            if letter == '\n' && rest.next_if_eq(&'\r').is_some() {
-                bytes += 1;
-            }
-            if rest.next_if_eq(&letter).is_some() {
-                bytes += letter.len_utf8();
-            }
-        }
-        bytes
-    };
-    place(range.start)..place(range.end)
-}
-
 /// Line and column of a byte, both from 1.
 fn place(text: &str, at: usize) -> (usize, usize) {
     let before = text.get(..at).unwrap_or(text);
     let line = before.rfind('\n').map_or(0, |end| end + 1);
     (before.matches('\n').count() + 1, before[line..].chars().count() + 1)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::as_declared;
-
-    #[test]
-    fn places_of_a_file_from_windows_are_its_own() {
-        let declared = "a\r\n{\r\n(1; }\r\nb";
-        let read = "a\n{\n(1; )}\nb";
-        assert_eq!(as_declared(read, declared, 11..12), 13..14);
-        assert_eq!(declared.get(13..14), Some("b"));
-    }
 }

@@ -26,7 +26,6 @@ mod fitted;
 mod interrupt;
 mod json;
 mod layout;
-mod lexer;
 #[cfg(feature = "mcp")]
 mod mcp;
 mod package;
@@ -37,6 +36,8 @@ mod readings;
 mod server;
 mod table;
 mod value;
+
+use plm_draw::lexer;
 
 pub use command::{Outcome, Streams, run};
 pub use excerpt::declarations;

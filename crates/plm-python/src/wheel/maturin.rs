@@ -25,8 +25,8 @@ const FOLDERS: [&str; 7] = [
 ];
 const FILES: [&str; 4] = ["Cargo.toml", "README.md", "LICENSE-APACHE", "LICENSE-MIT"];
 /// Packages of plm that no mechanism needs in Python, and the features that want them.
-const PACKAGES_LEFT_OUT: [&str; 7] =
-    ["plm-cli", "plm-dynamic", "plm-import", "plm-jit", "plm-program", "plm-source", "plm-view"];
+const PACKAGES_LEFT_OUT: [&str; 8] =
+    ["plm-cli", "plm-draw", "plm-dynamic", "plm-import", "plm-jit", "plm-program", "plm-source", "plm-view"];
 const FEATURES_LEFT_OUT: [&str; 7] = ["batch", "dynamic", "jit", "optimise", "synthesis", "view", "wheel"];
 /// Folders in it that are not.
 const LEFT_OUT: [&str; 9] =

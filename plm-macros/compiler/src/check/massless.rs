@@ -24,7 +24,8 @@ pub(crate) fn check_massless(
         let name = &model.bodies[body].name;
         let message = format!("the body `{}` moves freely and has no mass", name.text);
         diagnostics.error(Code::MissingValue, name.span, message).help(format!(
-            "write `mass: 1 kg; inertia: 1 kg*m^2;`, or determine the motion by constraints such as \
+            "write `width: 20 mm; thickness: 5 mm; density: 7850 kg/m^3;` for a bar of steel, or \
+             `mass: 1 kg; inertia: 1 kg*m^2;`, or determine the motion by constraints such as \
              `constraint turns: {}.angle = 1 rad/s*t;`",
             name.text
         ));

@@ -15,7 +15,7 @@ use crate::span::Span;
 pub struct Body {
     /// Its name.
     pub name: IndexedName,
-    /// `mass`, `inertia`, `centre`, `density`, `thickness`, `drawing_angle`, `depth`: one expression each.
+    /// `mass`, `inertia`, `centre`, `density`, `thickness`, `width`, `drawing_angle`, `depth`: one expression each.
     pub fields: Vec<(Ident, Expr)>,
     /// `coordinates: relative` or `absolute`.
     pub coordinates: Option<Ident>,
@@ -45,7 +45,7 @@ pub struct Port {
     pub name: IndexedName,
     /// Position of its origin.
     pub at: Expr,
-    /// Direction of its x axis.
+    /// Direction of its x axis, an angle or a vector.
     pub angle: Option<Expr>,
     /// Depth for pictures; on the ground alone.
     pub depth: Option<Expr>,
@@ -64,7 +64,7 @@ pub struct Start {
 
 /// Fields of a body that hold one expression. The second spelling is understood too.
 const FIELDS: &[&str] =
-    &["mass", "inertia", "centre", "center", "density", "thickness", "drawing_angle", "depth"];
+    &["mass", "inertia", "centre", "center", "density", "thickness", "width", "drawing_angle", "depth"];
 
 /// All that may begin an item of a body.
 pub(crate) const WORDS: &[&str] = &[
@@ -73,6 +73,7 @@ pub(crate) const WORDS: &[&str] = &[
     "centre",
     "density",
     "thickness",
+    "width",
     "coordinates",
     "drawing_angle",
     "port",

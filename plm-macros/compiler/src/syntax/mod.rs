@@ -36,7 +36,7 @@
 //!       | "when" (expr | "start") "{" { path "=" expr ";" } "}"
 //!       | "output" output { "," output } ";"
 //!       | "repeat" NAME "in" expr ".." ["="] expr "{" { item } "}"
-//! field  := ("mass" | "inertia" | "centre" | "density" | "thickness" | "drawing_angle" | "depth") ":" expr ";" | "coordinates" ":" NAME ";"
+//! field  := ("mass" | "inertia" | "centre" | "density" | "thickness" | "width" | "drawing_angle" | "depth") ":" expr ";" | "coordinates" ":" NAME ";"
 //!         | ("contour" | "hole") ":" (expr { "," expr } | STRING) ";"
 //! port   := "port" name ":" expr ["," ("angle" | "axis") ":" expr] ["," "depth" ":" expr] ";"
 //! start  := "start" NAME ":" expr ["," "locked"] ";"

@@ -169,3 +169,62 @@ fn ports_of_bodies_have_indices() {
     assert_near(output(&model, &values, "b[1].q[1].y")[0], 1.0, "by its own index");
     assert_near(output(&model, &values, "b[1].q.y")[0], 2.0, "without an index");
 }
+
+#[test]
+fn a_vector_is_a_direction_in_the_axes_of_its_points() {
+    let model = resolve(
+        "pub P {
+            ground { port o: (0, 0) m, axis: (0, -3) m; port m: (0, 0) m, axis: (cos(1 rad/s*t), sin(1 rad/s*t)); }
+            body drawn {
+                mass: 1 kg; inertia: 1 kg*m^2; coordinates: absolute; drawing_angle: 30 deg;
+                port p: (1, 3) m, axis: (-1, 1) mm;
+            }
+            body own { mass: 1 kg; inertia: 1 kg*m^2; port p: (1, 3) m, angle: (2, 2) m; start angle: 10 deg; }
+            output drawn.p.angle, own.p.angle, ground.o.angle, ground.m.omega;
+        }",
+    );
+    let mut values = Values::of(&model);
+    for body in &model.bodies {
+        let start = body.start.map(|start| values.at(&model, start.value));
+        values.pose(&model, &body.name.text, start);
+    }
+    for (of, expected) in [("drawn.p.angle", 135.0), ("own.p.angle", 55.0), ("ground.o.angle", -90.0)] {
+        assert_near(output(&model, &values, of)[0].to_degrees(), expected, of);
+    }
+    assert_near(output(&model, &values, "ground.m.omega")[0], 1.0, "omega");
+}
+
+#[test]
+fn a_width_makes_a_bar_of_ports() {
+    let model = resolve(
+        "pub P {
+            param l = 0.3 m;
+            body bar {
+                width: 20 mm; thickness: 5 mm; density: 7850 kg/m^3; coordinates: absolute;
+                port a: (0.1, 0.2) m; port b: (0.1 m, 0.2 m + l); port middle: (0.1, 0.25) m;
+            }
+            body holed {
+                width: 20 mm; thickness: 5 mm; density: 7850 kg/m^3; port a: (0, 0) m; port b: (300, 0) mm;
+                hole: (140, -1), (160, -1), (160, 1), (140, 1) mm;
+            }
+        }",
+    );
+    let values = Values::of(&model);
+    let at = |expr| values.at(&model, expr);
+    let [bar, holed] = &model.bodies[..] else { unreachable!() };
+    let (surface, r, l) = (7850.0 * 0.005, 0.01_f64, 0.3);
+    let [disc, rectangle] = [std::f64::consts::PI * r * r, 2.0 * r * l];
+    assert_near(at(bar.mass), surface * (disc + rectangle), "mass");
+    // Two halves of a disc, whose centres are 4 r/(3 pi) from their straight sides.
+    let halves = disc * r * r / 2.0 + disc * (l * l / 4.0 + l * 4.0 * r / (3.0 * std::f64::consts::PI));
+    assert_near(at(bar.inertia), surface * (rectangle * (l * l + 4.0 * r * r) / 12.0 + halves), "inertia");
+    let drawn = bar.start.map(|start| at(start.value));
+    assert_near(drawn[0], 0.1, "x of G");
+    assert_near(drawn[1], 0.2 + 0.15, "y of G");
+    assert_near(at(holed.mass), surface * (disc + rectangle - 0.02 * 0.002), "mass without the hole");
+    assert_near(at(holed.centre.x), 0.15, "centre");
+    // Another value of the parameter, for which no outline is looked at again.
+    let mut values = Values::of(&model);
+    values.set(model.params[0].symbol, 0.1);
+    assert_near(values.at(&model, bar.mass), surface * (disc + 2.0 * r * 0.1), "mass of another length");
+}

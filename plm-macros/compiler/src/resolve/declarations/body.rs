@@ -85,6 +85,7 @@ impl<'a> Resolver<'a> {
                     name,
                     scope,
                     used: false,
+                    place: Lazy::Waiting,
                     frame: Lazy::Waiting,
                 });
             }
@@ -151,7 +152,14 @@ impl<'a> Resolver<'a> {
             } else {
                 self.refuse_member_name(scope, port);
                 let name = key.into_owned();
-                ports.push(UnresolvedPort { ast: port, name, scope, used: false, frame: Lazy::Waiting });
+                ports.push(UnresolvedPort {
+                    ast: port,
+                    name,
+                    scope,
+                    used: false,
+                    place: Lazy::Waiting,
+                    frame: Lazy::Waiting,
+                });
             }
         }
         ports
@@ -199,6 +207,7 @@ impl<'a> Resolver<'a> {
             let diagnostic = self.error(scope, Code::NotPositive, expr.span, message);
             match name {
                 "mass" | "inertia" => diagnostic.help(positive_help(name, dimension)),
+                "width" => diagnostic.note("the outline is half of it away from the hull of the ports"),
                 _ => diagnostic.note("the mass of a plate is the area of its contour times both"),
             };
             return Err(Failed);

@@ -14,7 +14,7 @@ use crate::resolve::Resolver;
 use crate::resolve::declarations::UnresolvedModel;
 use crate::resolve::names::ScopeId;
 use crate::resolve::values::lazy::Lazy;
-use crate::resolve::values::{Eval, Nature, Quantity, Reads};
+use crate::resolve::values::{Direction, Eval, Reads};
 use crate::syntax::ast;
 use crate::units::Dimension;
 
@@ -25,6 +25,7 @@ pub(crate) struct UnresolvedPort<'a> {
     pub(crate) name: String,
     pub(crate) scope: ScopeId,
     pub(crate) used: bool,
+    pub(crate) place: Lazy<(Vec2, Reads)>,
     pub(crate) frame: Lazy<FrameGeometry>,
 }
 
@@ -83,7 +84,7 @@ impl<'a> UnresolvedModel<'a> {
     }
 }
 
-impl<'a> Resolver<'a> {
+impl Resolver<'_> {
     /// The frame of a port, worked out at its first use.
     pub(crate) fn frame(&mut self, frame: FrameRef) -> Eval<FrameGeometry> {
         let port = self.unresolved.port(frame);
@@ -94,33 +95,53 @@ impl<'a> Resolver<'a> {
                 of.error(scope, Code::Cycle, ast.name.ident.span, "the place of this port needs itself");
             },
             |of| match frame.body {
-                Some(body) => of.body_frame(body, scope, ast),
-                None => of.ground_frame(scope, ast),
+                Some(body) => of.body_frame(body, frame),
+                None => of.ground_frame(frame),
             },
         )
     }
 
-    /// Position and angle of a port as they were written.
-    fn written(&mut self, scope: ScopeId, port: &'a ast::Port, reads: Reads) -> Eval<(Vec2, Expr, Reads)> {
-        let at = self.eval_vector(scope, &port.at, Dimension::LENGTH, reads);
-        let angle = match &port.angle {
-            Some(angle) => self.eval_quantity(scope, angle, Dimension::ANGLE, reads),
-            None => Ok(Quantity::new(Expr::ZERO, Nature::BARE)),
+    /// Position of a port as it was written, worked out at its first use: the outline of its body may need it before its frame does.
+    pub(crate) fn place_of_port(&mut self, frame: FrameRef, reads: Reads) -> Eval<(Vec2, Reads)> {
+        let port = self.unresolved.port(frame);
+        let (ast, scope) = (port.ast, port.scope);
+        self.lazy(
+            |of| &mut of.unresolved.port(frame).place,
+            |of| {
+                of.error(scope, Code::Cycle, ast.name.ident.span, "the place of this port needs itself");
+            },
+            |of| {
+                let at = of.eval_vector(scope, &ast.at, Dimension::LENGTH, reads)?;
+                Ok((at.value, at.nature.reads))
+            },
+        )
+    }
+
+    /// Position and direction of a port as they were written.
+    fn written(&mut self, frame: FrameRef, reads: Reads) -> Eval<(Vec2, Direction, Reads)> {
+        let port = self.unresolved.port(frame);
+        let (ast, scope) = (port.ast, port.scope);
+        let at = self.place_of_port(frame, reads);
+        let direction = match &ast.angle {
+            Some(angle) => self.eval_direction(scope, angle, reads),
+            None => Ok((Direction::Angle(Expr::ZERO), Reads::NOTHING)),
         };
-        let (at, angle) = (at?, angle?);
-        Ok((at.value, angle.value, at.nature.reads.and(angle.nature.reads)))
+        let ((at, reads), (direction, of_direction)) = (at?, direction?);
+        Ok((at, direction, reads.and(of_direction)))
     }
 
     /// A port of the ground may move as the time goes.
-    fn ground_frame(&mut self, scope: ScopeId, port: &'a ast::Port) -> Eval<FrameGeometry> {
-        let (at, angle, reads) = self.written(scope, port, Reads::SCHEDULED)?;
+    fn ground_frame(&mut self, frame: FrameRef) -> Eval<FrameGeometry> {
+        let (at, direction, reads) = self.written(frame, Reads::SCHEDULED)?;
+        let angle = direction.angle();
         let rotation = Rotation::by(angle);
         Ok(FrameGeometry { local: at, turn: angle, arm: at, position: at, angle, rotation, reads })
     }
 
-    fn body_frame(&mut self, body: usize, scope: ScopeId, port: &'a ast::Port) -> Eval<FrameGeometry> {
-        let (at, alpha, _) = self.written(scope, port, Reads::FIXED)?;
+    fn body_frame(&mut self, body: usize, frame: FrameRef) -> Eval<FrameGeometry> {
+        let (at, direction, _) = self.written(frame, Reads::FIXED)?;
         let placement = self.placement(body)?;
+        let alpha = placement.turn(direction);
         let local = placement.place(at);
         let state = &self.unresolved.bodies[body];
         let [x, y, theta] = state.q;
@@ -144,5 +165,13 @@ impl Placement {
     pub(crate) fn place(&self, at: Vec2) -> Vec2 {
         let from_centre = at - self.centre;
         if self.drawing { Rotation::by(-self.drawing_angle) * from_centre } else { from_centre }
+    }
+
+    /// The angle of a port against the x axis of the body. A vector points in the drawing, as points stand in it.
+    fn turn(&self, direction: Direction) -> Expr {
+        match direction {
+            Direction::Vector(_) if self.drawing => direction.angle() - self.drawing_angle,
+            _ => direction.angle(),
+        }
     }
 }

@@ -9,6 +9,7 @@ mod fields;
 pub(super) mod frame;
 mod given;
 pub(super) mod handed;
+pub(super) mod hull;
 pub(super) mod load;
 pub(super) mod node;
 pub(super) mod part;
@@ -34,6 +35,7 @@ use crate::resolve::declarations::row::UnresolvedRow;
 use crate::resolve::declarations::settings::Settings;
 use crate::resolve::declarations::state::{UnresolvedRate, UnresolvedState};
 use crate::resolve::names::ScopeId;
+use crate::resolve::values::Eval;
 use crate::resolve::values::drawn::DrawnPose;
 use crate::resolve::values::lazy::Lazy;
 use crate::span::Span;
@@ -45,6 +47,8 @@ pub(crate) struct UnresolvedModel<'a> {
     pub(crate) settings: Settings<'a>,
     pub(crate) params: Vec<UnresolvedField<'a>>,
     pub(crate) inputs: Vec<UnresolvedField<'a>>,
+    /// Parameters with their defaults.
+    pub(crate) defaults: Lazy<Vec<(Expr, Eval<Expr>)>>,
     pub(crate) states: Vec<UnresolvedState<'a>>,
     /// Rates, which are given to their states when all states are declared.
     pub(crate) rates: Vec<UnresolvedRate<'a>>,

@@ -1,4 +1,5 @@
-//! Plates: bodies whose mass, centre and inertia follow from their contour, its holes, a density and a thickness.
+//! Plates: bodies whose mass, centre and inertia follow from their outline, its holes, a density and a thickness. The outline is a
+//! contour, or the rounded hull of the ports.
 //!
 //! Integrals over a polygon are sums over its sides, by Green's theorem (C. Steger, On the calculation of arbitrary moments of polygons,
 //! TU Muenchen 1996, FGBV-96-05): with `c = x0 y1 - x1 y0` of a side from `p0` to `p1`
@@ -12,10 +13,13 @@
 use plm_cas::algebra::Vec2;
 use plm_cas::{Expr, Number};
 
-use crate::collect::CollectVec;
+use crate::collect::{CollectVec, MapEach};
 use crate::diag::Code;
+use crate::model::FrameRef;
+use crate::numeric;
 use crate::resolve::Resolver;
-use crate::resolve::values::{Eval, Failed};
+use crate::resolve::declarations::hull::{corners, rounded};
+use crate::resolve::values::{Eval, Failed, Reads, all};
 use crate::span::Span;
 use crate::syntax::ast;
 use crate::units::Dimension;
@@ -33,12 +37,12 @@ pub(crate) struct Plate {
     pub(crate) span: Span,
 }
 
-/// Area and moments of a polygon about a point.
+/// Area and moments of a surface about a point.
 #[derive(Clone, Copy)]
-struct Moments {
-    area: Expr,
-    first: Vec2,
-    second: Expr,
+pub(crate) struct Moments {
+    pub(crate) area: Expr,
+    pub(crate) first: Vec2,
+    pub(crate) second: Expr,
 }
 
 impl Resolver<'_> {
@@ -47,15 +51,16 @@ impl Resolver<'_> {
         self.unresolved.bodies[body].ast.fields.iter().any(|(ident, _)| ident.text == "density")
     }
 
-    /// Reports a hole or a thickness of a body that has no density.
+    /// Reports a hole, a thickness or a width of a body that has no density.
     pub(crate) fn check_plate(&mut self, body: usize) {
         if self.is_plate(body) {
             return;
         }
         let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
         let hole = ast.holes.first().and_then(ast::Contour::span).map(|span| ("hole", span));
-        let thickness = ast.fields.iter().find(|(field, _)| field.text == "thickness");
-        for (field, span) in hole.into_iter().chain(thickness.map(|(field, _)| ("thickness", field.span))) {
+        let sizes = ast.fields.iter().map(|(field, _)| (field.text.as_str(), field.span));
+        let sizes = sizes.filter(|(field, _)| ["thickness", "width"].contains(field));
+        for (field, span) in hole.into_iter().chain(sizes) {
             self.error(scope, Code::MisplacedItem, span, format!("a {field} of a body without a density"))
                 .help("write `density: 7850 kg/m^3;` in the place of mass and inertia");
         }
@@ -67,42 +72,18 @@ impl Resolver<'_> {
     }
 
     fn evaluate_plate(&mut self, body: usize) -> Eval<Plate> {
-        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
-        let name = self.unresolved.bodies[body].name.clone();
-        let mut result = Ok(());
-        for (field, _) in &ast.fields {
-            if matches!(field.text.as_str(), "mass" | "inertia" | "centre") {
-                let message = format!("the {} of `{}` follows from its density", field.text, name.text);
-                self.error(scope, Code::MisplacedItem, field.span, message)
-                    .help(format!("leave out the density, or the {}", field.text));
-                result = Err(Failed);
-            }
-        }
-        for field in ["thickness", "contour"] {
-            let is_there = if field == "contour" { ast.contour.is_some() } else { has(ast, field) };
-            if !is_there {
-                let message = format!("`{}` has a density and no {field}", name.text);
-                let help = if field == "contour" {
-                    "contour: (0, 0), (1, 0), (1, 1) m;"
-                } else {
-                    "thickness: 1 cm;"
-                };
-                self.error(scope, Code::MissingValue, name.span, message).help(format!("write `{help}`"));
-                result = Err(Failed);
-            }
-        }
-        result?;
+        self.check_fields_of_plate(body)?;
+        let scope = self.unresolved.bodies[body].scope;
         let density = self.body_quantity(body, "density", Dimension::DENSITY);
         let thickness = self.body_quantity(body, "thickness", Dimension::LENGTH);
-        let outline = self.outline(body);
-        let holes = self.holes(body)?;
-        let ((density, span), (thickness, _), outline) = (density?, thickness?, outline?);
-        let origin = outline[0];
-        let moments = holes.iter().map(|hole| moments_of(hole, origin)).collect_vec();
-        let whole = moments.into_iter().fold(moments_of(&outline, origin), Moments::less);
+        let surface = self.surface(body);
+        let ((density, span), (thickness, _), (origin, whole)) = (density?, thickness?, surface?);
+        let moments = self.holes(body)?.iter().map(|hole| moments_of(hole, origin)).collect_vec();
+        let whole = moments.into_iter().fold(whole, Moments::less);
         if whole.area.as_number().is_some_and(|area| area.is_zero() || area.is_negative()) {
             let area = whole.area.as_number().map_or(0.0, Number::to_f64);
-            let message = format!("the contour of `{}` encloses {area} m^2 beside its holes", name.text);
+            let name = &self.unresolved.bodies[body].name.text;
+            let message = format!("the contour of `{name}` encloses {area} m^2 beside its holes");
             self.error(scope, Code::NotPositive, span, message);
             return Err(Failed);
         }
@@ -115,6 +96,68 @@ impl Resolver<'_> {
             span,
         })
     }
+
+    /// Reports what a plate cannot have, and what it lacks.
+    fn check_fields_of_plate(&mut self, body: usize) -> Eval<()> {
+        let (ast, scope) = (self.unresolved.bodies[body].ast, self.unresolved.bodies[body].scope);
+        let name = self.unresolved.bodies[body].name.clone();
+        let mut result = Ok(());
+        for (field, _) in &ast.fields {
+            if matches!(field.text.as_str(), "mass" | "inertia" | "centre") {
+                let message = format!("the {} of `{}` follows from its density", field.text, name.text);
+                self.error(scope, Code::MisplacedItem, field.span, message)
+                    .help(format!("leave out the density, or the {}", field.text));
+                result = Err(Failed);
+            }
+        }
+        let width = ast.fields.iter().find(|(field, _)| field.text == "width").map(|(field, _)| field.span);
+        if let (Some(span), Some(_)) = (width, &ast.contour) {
+            let message =
+                format!("the outline of `{}` is its contour, and follows from its width", name.text);
+            self.error(scope, Code::MisplacedItem, span, message).help("leave out the width, or the contour");
+            result = Err(Failed);
+        }
+        if let Some(span) = width.filter(|_| ast.ports.is_empty()) {
+            let message = format!("`{}` has a width and no port, round which it would be", name.text);
+            self.error(scope, Code::MissingValue, span, message).help("write `port a: (0, 0) mm;`");
+            result = Err(Failed);
+        }
+        for field in ["thickness", "contour"] {
+            let has_outline = ast.contour.is_some() || width.is_some();
+            let is_there = if field == "contour" { has_outline } else { has(ast, field) };
+            if !is_there {
+                let message = format!("`{}` has a density and no {field}", name.text);
+                let help = if field == "contour" {
+                    "write `contour: (0, 0), (1, 0), (1, 1) m;`, or `width: 20 mm;` round its ports"
+                } else {
+                    "write `thickness: 1 cm;`"
+                };
+                self.error(scope, Code::MissingValue, name.span, message).help(help);
+                result = Err(Failed);
+            }
+        }
+        result
+    }
+
+    /// A point of the outline, and the moments of what it encloses about that point.
+    fn surface(&mut self, body: usize) -> Eval<(Vec2, Moments)> {
+        let ast = self.unresolved.bodies[body].ast;
+        if !has(ast, "width") {
+            let outline = self.outline(body)?;
+            return Ok((outline[0], moments_of(&outline, outline[0])));
+        }
+        let width = self.body_quantity(body, "width", Dimension::LENGTH);
+        let ports = all((0..self.unresolved.bodies[body].ports.len()).map(|port| {
+            self.place_of_port(FrameRef { body: Some(body), port }, Reads::FIXED).map(|(at, _)| at)
+        }));
+        let ((width, _), ports) = (width?, ports?);
+        // Which ports are corners is a question of numbers: the declared ones of parameters decide.
+        let declared = self.declared_values();
+        let numbers = ports.iter().map(|at| at.components().map_each(|x| numeric::value(x, &declared)));
+        let hull = corners(&numbers.collect_vec()).into_iter().map(|corner| ports[corner]).collect_vec();
+        let origin = hull[0];
+        Ok((origin, rounded(&hull, width / Expr::from(2), origin)))
+    }
 }
 
 fn has(ast: &ast::Body, field: &str) -> bool {
@@ -122,7 +165,7 @@ fn has(ast: &ast::Body, field: &str) -> bool {
 }
 
 /// (1) to (3) about a point, whichever way the polygon goes round.
-fn moments_of(points: &[Vec2], about: Vec2) -> Moments {
+pub(crate) fn moments_of(points: &[Vec2], about: Vec2) -> Moments {
     let from = points.iter().map(|at| *at - about).collect_vec();
     let sides = from.iter().zip(from.iter().cycle().skip(1));
     let (mut area, mut first, mut second) = (Expr::ZERO, Vec2::ZERO, Expr::ZERO);
@@ -137,6 +180,9 @@ fn moments_of(points: &[Vec2], about: Vec2) -> Moments {
 }
 
 impl Moments {
+    /// Of nothing.
+    pub(crate) const ZERO: Moments = Moments { area: Expr::ZERO, first: Vec2::ZERO, second: Expr::ZERO };
+
     /// Without a hole.
     fn less(self, hole: Moments) -> Moments {
         Moments {

@@ -16,6 +16,7 @@ use plm_cas::{Expr, Graph};
 
 use crate::diag::Code;
 use crate::model::{Body, Decisions, FrameRef, Impacts, Input, Model, Name, Param, Port, Row, Start};
+use crate::numeric;
 use crate::resolve::Resolver;
 use crate::resolve::declarations::body::assumed_mass;
 use crate::resolve::declarations::declare::UnresolvedField;
@@ -116,10 +117,10 @@ impl<'a> Resolver<'a> {
 
     /// Defaults of parameters may read parameters that stand above them.
     fn evaluate_params(&mut self) -> Eval<Vec<Param>> {
+        let defaults = self.defaults()?;
         let states = std::mem::take(&mut self.unresolved.params);
-        all(states.into_iter().map(|state| {
-            let required = state.ast.value.is_none();
-            let default = if required { Expr::ONE } else { self.default_of(&state)? };
+        all(states.into_iter().zip(defaults).map(|(state, (_, default))| {
+            let (required, default) = (state.ast.value.is_none(), default?);
             if algebra::symbols(&[default]).into_iter().any(|symbol| symbol >= state.symbol) {
                 let message =
                     format!("the default of `{}` reads a parameter that stands below it", state.name.text);
@@ -128,6 +129,35 @@ impl<'a> Resolver<'a> {
             let docs = state.docs.to_vec();
             Ok(Param { name: state.name, symbol: state.symbol, default, required, unit: state.unit, docs })
         }))
+    }
+
+    /// Parameters and their defaults, worked out at their first use; 1 where the user has to give one.
+    fn defaults(&mut self) -> Eval<Vec<(Expr, Eval<Expr>)>> {
+        self.lazy(
+            |of| &mut of.unresolved.defaults,
+            |_| (),
+            |of| {
+                let fields = of.unresolved.params.iter();
+                let fields = fields.map(|field| (field.symbol, field.ast, field.scope, field.unit.dimension));
+                let mut defaults = Vec::new();
+                for (symbol, ast, scope, dimension) in fields.collect_vec() {
+                    let number = |expr| of.eval_number(scope, expr, dimension, Reads::FIXED);
+                    defaults.push((symbol, ast.value.as_ref().map_or(Ok(Expr::ONE), number)));
+                }
+                Ok(defaults)
+            },
+        )
+    }
+
+    /// Declared values of parameters: those that can be worked out.
+    pub(crate) fn declared_values(&mut self) -> Vec<(Expr, f64)> {
+        let mut values = Vec::new();
+        for (symbol, default) in self.defaults().unwrap_or_default() {
+            if let Ok(default) = default {
+                values.push((symbol, numeric::value(default, &values)));
+            }
+        }
+        values
     }
 
     fn evaluate_inputs(&mut self) -> Eval<Vec<Input>> {

@@ -143,7 +143,7 @@ impl<'a> Resolver<'a> {
     }
 
     /// Has it the dimension, and does it read no more than it may?
-    fn suits<T: Additive>(
+    pub(super) fn suits<T: Additive>(
         &mut self,
         scope: ScopeId,
         expr: &'a ast::Expr,
@@ -305,7 +305,13 @@ impl<'a> Resolver<'a> {
         Err(Failed)
     }
 
-    fn reads_only(&mut self, scope: ScopeId, expr: &'a ast::Expr, reads: Reads, allowed: Reads) -> Eval<()> {
+    pub(super) fn reads_only(
+        &mut self,
+        scope: ScopeId,
+        expr: &'a ast::Expr,
+        reads: Reads,
+        allowed: Reads,
+    ) -> Eval<()> {
         let beyond = reads.beyond(allowed);
         if beyond == Reads::NOTHING {
             return Ok(());

@@ -2,6 +2,7 @@
 
 mod call;
 pub(super) mod condition;
+mod direction;
 pub(super) mod drawn;
 pub(super) mod expect;
 mod expression;
@@ -20,6 +21,7 @@ use crate::collect::CollectVec;
 use plm_cas::Expr;
 
 use crate::model::FrameRef;
+pub(crate) use direction::Direction;
 pub(crate) use quantity::{Additive, Form, Nature, Quantity, Reads, Scalar, Vector};
 
 impl From<Scalar> for Value {

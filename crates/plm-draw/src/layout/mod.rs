@@ -8,43 +8,24 @@ mod spacing;
 
 use std::ops::Range;
 
-use crate::excerpt::{calls, is_rust};
 use crate::lexer::{Kind, Token, tokens};
 use lines::Lines;
 use spacing::Spacing;
 
-/// The text of a file in its layout; of a Rust file the contents of `mechanism!` and `parts!`. Line ends stay as they are.
+/// A declaration in its layout; lines end as on Unix.
 ///
 /// # Errors
 /// A bracket, a string or a comment has no end: a message with its line.
-pub(crate) fn formatted(name: &str, text: &str) -> Result<String, String> {
-    let is_windows = text.contains("\r\n");
-    let unix = text.replace("\r\n", "\n");
-    let formatted = if is_rust(name) { rust(&unix)? } else { declaration(&unix)? };
-    Ok(if is_windows { formatted.replace('\n', "\r\n") } else { formatted })
-}
-
-fn declaration(text: &str) -> Result<String, String> {
+pub fn formatted(text: &str) -> Result<String, String> {
     let made = laid_out(text, 0..text.len(), 0)?;
     Ok(if made.is_empty() { made } else { made + "\n" })
 }
 
-fn rust(text: &str) -> Result<String, String> {
-    let (mut made, mut at) = (String::new(), 0);
-    for inside in calls(text) {
-        // With the brackets, which decide what stands beside them.
-        let call = inside.start - 1..(inside.end + 1).min(text.len());
-        let line = text[..call.start].rfind('\n').map_or(0, |end| end + 1);
-        let indent = text[line..].len() - text[line..].trim_start().len();
-        made += &text[at..call.start];
-        made += &laid_out(text, call.clone(), indent)?;
-        at = call.end;
-    }
-    Ok(made + &text[at..])
-}
-
 /// A range of a text in its layout; it begins in a line of this indentation.
-fn laid_out(text: &str, range: Range<usize>, indent: usize) -> Result<String, String> {
+///
+/// # Errors
+/// As [`formatted`].
+pub fn laid_out(text: &str, range: Range<usize>, indent: usize) -> Result<String, String> {
     let part = &text[range.clone()];
     let line = |at: usize| text[..range.start + at].matches('\n').count() + 1;
     let all = tokens(part);
@@ -120,8 +101,8 @@ mod tests {
     use super::formatted;
 
     fn made(text: &str) -> String {
-        let made = formatted("a.plm", text).unwrap_or_else(|why| why);
-        assert_eq!(formatted("a.plm", &made).as_ref(), Ok(&made), "twice");
+        let made = formatted(text).unwrap_or_else(|why| why);
+        assert_eq!(formatted(&made).as_ref(), Ok(&made), "twice");
         made
     }
 
@@ -175,22 +156,14 @@ mod tests {
     }
 
     #[test]
-    fn a_rust_file_keeps_all_that_is_no_declaration() {
-        let text = "fn  a( ) {\n    plm::mechanism! { pub P {\n  body b {mass:1 kg;}\n    }}\n    mechanism!(pub Q { } );\n}\nmacro_rules! m { () => { mechanism! { a  b } } }\n";
-        let expected = "fn  a( ) {\n    plm::mechanism! { pub P {\n        body b { mass: 1 kg; }\n    }}\n    mechanism!(pub Q {});\n}\nmacro_rules! m { () => { mechanism! { a  b } } }\n";
-        assert_eq!(formatted("a.rs", text).as_deref(), Ok(expected));
-        assert_eq!(formatted("a.rs", &text.replace('\n', "\r\n")), Ok(expected.replace('\n', "\r\n")));
-    }
-
-    #[test]
     fn a_text_without_brackets_in_pairs_has_no_layout() {
         for (text, expected) in [
             ("pub P {\n(1; }", "line 2: the bracket `}` has no partner"),
             ("a {\n", "line 1: the bracket `{` has no partner"),
             ("\n/* a", "line 2: `/*` is not closed"),
         ] {
-            assert_eq!(formatted("a.plm", text), Err(expected.to_owned()));
+            assert_eq!(formatted(text), Err(expected.to_owned()));
         }
-        assert_eq!(formatted("a.plm", " \n"), Ok(String::new()));
+        assert_eq!(formatted(" \n"), Ok(String::new()));
     }
 }

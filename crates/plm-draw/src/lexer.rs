@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// Kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// A name or a keyword.
     Word,
     /// A number with what touches it: `0.5m`.
@@ -28,34 +28,35 @@ pub(crate) enum Kind {
 
 impl Kind {
     /// Is it a comment? Documentation is one.
-    pub(crate) fn is_comment(self) -> bool {
+    #[must_use]
+    pub fn is_comment(self) -> bool {
         matches!(self, Kind::LineComment | Kind::BlockComment)
     }
 }
 
 /// A token and its place, in bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Token {
+pub struct Token {
     /// Its kind.
-    pub(crate) kind: Kind,
+    pub kind: Kind,
     /// Its range in the text.
-    pub(crate) range: Range<usize>,
+    pub range: Range<usize>,
 }
 
 impl Token {
     /// Its text.
-    pub(crate) fn text<'a>(&self, all: &'a str) -> &'a str {
+    pub fn text<'a>(&self, all: &'a str) -> &'a str {
         all.get(self.range.clone()).unwrap_or_default()
     }
 
     /// Is it the mark?
-    pub(crate) fn is_mark(&self, all: &str, mark: char) -> bool {
+    pub fn is_mark(&self, all: &str, mark: char) -> bool {
         self.kind == Kind::Mark && self.text(all).starts_with(mark)
     }
 }
 
 /// All tokens of a text in their order; blanks stand between them.
-pub(crate) fn tokens(text: &str) -> Vec<Token> {
+pub fn tokens(text: &str) -> Vec<Token> {
     let (mut tokens, mut at) = (Vec::new(), 0);
     loop {
         let rest = text.get(at..).unwrap_or_default();
