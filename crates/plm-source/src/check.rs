@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use plm_compiler::Source;
 use plm_compiler::lowered::{Routine, Target};
-use plm_runtime::Real;
+use plm_runtime::{Real, Scalar};
 
 use crate::Precision;
 use crate::block::Argument;
@@ -100,6 +100,19 @@ pub(crate) fn memory(plan: &Plan) -> Vec<f64> {
         }
     }
     memory
+}
+
+/// Are the equations in absolute coordinates singular at the start, as where rows depend on each other?
+pub(crate) fn is_singular(plan: &Plan) -> bool {
+    let (start, equations) = (Start::<f64>::new(plan), &plan.lowered.absolute.dynamics);
+    let results = results(plan, equations, &start.at(plan, plan.start.time, &start.x));
+    // False for NaN.
+    let is_good = |(target, value): &(Target, f64)| match target {
+        Target::Value => *value > f64::HEALTHY,
+        Target::Element("dx", _) => value.is_finite(),
+        _ => true,
+    };
+    !results.iter().all(is_good)
 }
 
 /// The function.

@@ -98,6 +98,11 @@ fn printed(mechanism: &Mechanism, precision: Precision) -> Result<[File; 3], Fai
         return Err(Failure::Refused(vec![refused]));
     }
     let plan = plan::Plan::new(mechanism, &steps, precision);
+    if plan.is_absolute() && check::is_singular(&plan) {
+        let part = lowered.rows.first().map_or_else(String::new, |row| row.part.clone());
+        let what = "a start at which rows depend on each other, which the library solves by rank";
+        return Err(Failure::Refused(vec![Refused { part, what }]));
+    }
     let name = plan.name.clone();
     let math = File { name: "plm_math.h".to_owned(), text: MATH.to_owned() };
     Ok([
