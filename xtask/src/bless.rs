@@ -16,7 +16,7 @@ struct Text {
 
 const BLESS: Option<(&str, &str)> = Some(("PLM_BLESS", "1"));
 
-const TEXTS: [Text; 15] = [
+const TEXTS: [Text; 16] = [
     Text {
         name: "ui",
         what: "what rustc prints for wrong declarations: tests/ui/**/*.stderr",
@@ -38,6 +38,13 @@ const TEXTS: [Text; 15] = [
         is_compared: true,
         variable: BLESS,
         command: "cargo test -p plm-compiler -p plm-cli --test book --test cli",
+    },
+    Text {
+        name: "equations",
+        what: "equations of motion in LaTeX and MathML: plm-macros/compiler/tests/written/",
+        is_compared: true,
+        variable: BLESS,
+        command: "cargo test -p plm-compiler --features lowered --lib written",
     },
     Text {
         name: "bits",

@@ -1,5 +1,5 @@
-//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the picture of the architecture,
-//! and the formulas of the book.
+//! Chores of the repository, by `cargo xtask`: what CI runs, expected texts anew, benchmarks, the picture of the architecture, the formulas of
+//! the book, and the files of a release.
 
 mod architecture;
 mod bench;
@@ -8,6 +8,7 @@ mod bless;
 mod ci;
 mod math;
 mod place;
+mod release;
 mod workspace;
 
 use std::process::ExitCode;
@@ -25,6 +26,7 @@ cargo xtask ci --list             the names of all stages
 cargo xtask bless [NAME...]       expected texts anew: what `cargo test` compares, or what is named
 cargo xtask bench [NAME...]       instruction counts beside their limits, or what is named
 cargo xtask architecture          the picture of the architecture
+cargo xtask release STEP...       the files of a release, their checksums, the crates: each step by its name
 cargo xtask math                  a preprocessor of mdBook: formulas become MathML
 ";
 
@@ -34,6 +36,7 @@ fn main() -> ExitCode {
         Some((first, rest)) if first == "ci" => ci::run(place, rest),
         Some((first, rest)) if first == "bless" => bless::run(&place, rest),
         Some((first, rest)) if first == "bench" => bench::run(&place, rest),
+        Some((first, rest)) if first == "release" => release::run(&place, rest),
         Some((first, rest)) if first == "math" => math::run(rest),
         Some((first, [])) if first == "architecture" => draw(&place),
         _ => Err(format!("these are the commands:\n{USAGE}\n{}{}", bless::usage(), bench::usage())),

@@ -37,6 +37,8 @@ pub mod token;
 mod topology;
 pub mod units;
 pub mod words;
+#[cfg(feature = "lowered")]
+mod written;
 
 #[cfg(feature = "lowered")]
 pub use assembled::{Affine, Assembled, AssembledBody, AssembledInput, AssembledPart, FieldValue, InputTerm};
@@ -53,3 +55,5 @@ pub use report::Report;
 pub use source::{OfScalar, Source};
 #[cfg(feature = "lowered")]
 pub use start_values::StartValue;
+#[cfg(feature = "lowered")]
+pub use written::Written;

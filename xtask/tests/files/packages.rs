@@ -283,6 +283,27 @@ fn the_workflow_and_the_release_name_stages_of_ci() {
     fail_with("stages that `cargo xtask ci --list` does not have", &wrong);
 }
 
+/// The steps of the workflow of a release are those of `cargo xtask release`, and the page about releases names each.
+#[test]
+fn the_workflow_of_a_release_names_its_steps() {
+    let (steps, workflow) = (read("xtask/src/release.rs"), read(".github/workflows/release.yml"));
+    let page = read("docs/src/internals/releasing.md");
+    let known: BTreeSet<&str> = steps
+        .lines()
+        .filter_map(|line| line.strip_prefix("cargo xtask release ")?.split_whitespace().next())
+        .collect();
+    assert!(known.len() > 5, "{known:?}");
+    let called = workflow.split("cargo xtask release ").skip(1);
+    let called: BTreeSet<&str> = called.filter_map(|rest| rest.split_whitespace().next()).collect();
+    assert_eq!(called.iter().filter(|step| !known.contains(*step)).collect::<Vec<_>>(), Vec::<&&str>::new());
+    let wrong: Vec<String> = known
+        .iter()
+        .filter(|step| !called.contains(*step) || !page.contains(&format!("`cargo xtask release {step}")))
+        .map(|step| (*step).to_owned())
+        .collect();
+    fail_with("steps that the workflow or the page about releases lacks", &wrong);
+}
+
 /// A library that says `test = false` is compiled once and has no tests in its sources, where nobody would run them; one without tests
 /// says so.
 #[test]

@@ -1,6 +1,6 @@
 //! `plm expand` and `plm report`: the code that the macro emits, and what the compiler found and chose.
 
-use plm_compiler::AssembledBody;
+use plm_compiler::{AssembledBody, Written};
 use serde_json::json;
 
 use super::words::Words;
@@ -22,15 +22,47 @@ pub(super) const REPORT: Command = Command {
     name: "report",
     usage: "FILE",
     title: "tells bodies, rows, formulation, operations and assembly",
-    options: &[(
-        "--json",
-        "an object of JSON a line, with freedoms, redundant parts and the assembled poses",
-    )],
+    options: &[
+        ("--json", "an object of JSON a line, with freedoms, redundant parts and the assembled poses"),
+        ("--equations", "the equations of motion as in a textbook, as LaTeX"),
+        ("--mathml", "the equations of motion as MathML, in a page"),
+    ],
     run: |mut words, streams| {
-        let of = if words.takes("--json") { json } else { text };
+        let wanted = ["--json", "--equations", "--mathml"].map(|option| words.takes(option));
+        let of = match wanted {
+            [false, false, false] => text,
+            [true, false, false] => json,
+            [false, true, false] => latex,
+            [false, false, true] => mathml,
+            _ => return Err("a report is one of --json, --equations and --mathml".into()),
+        };
         run(words, streams, of)
     },
 };
+
+/// The equations of motion as LaTeX, for a document with amsmath.
+fn latex(checked: &Checked) -> Option<String> {
+    let Written { name, coordinates, latex, notes, .. } = checked.expansion.oracle.as_ref()?.written();
+    let mut lines = vec![format!("% {name}")];
+    lines.extend(coordinates.iter().map(|[path, symbol, _]| format!("% {path}: ${symbol}$")));
+    lines.extend(notes.iter().map(|note| format!("% {note}")));
+    lines.extend(latex.iter().map(|equation| format!("\\[ {equation} \\]")));
+    Some(lines.join("\n"))
+}
+
+/// The equations of motion as MathML, in a page that a browser shows.
+fn mathml(checked: &Checked) -> Option<String> {
+    let Written { name, coordinates, mathml, notes, .. } = checked.expansion.oracle.as_ref()?.written();
+    let head =
+        format!("<!doctype html>\n<meta charset=\"utf-8\">\n<title>{name}</title>\n<h1>{name}</h1>\n<dl>");
+    let mut lines = vec![head];
+    let symbol = |[path, _, symbol]: &[String; 3]| format!("<dt><math>{symbol}</math></dt><dd>{path}</dd>");
+    lines.extend(coordinates.iter().map(symbol));
+    lines.push("</dl>".to_owned());
+    lines.extend(notes.iter().map(|note| format!("<p>{note}</p>")));
+    lines.extend(mathml);
+    Some(lines.join("\n"))
+}
 
 fn text(checked: &Checked) -> Option<String> {
     checked.expansion.report.as_ref().map(ToString::to_string)

@@ -77,7 +77,7 @@ const FORMATS: [(&str, &str); 8] = [
 ];
 const FORMAT_NAMES: [&str; 8] = ["c_source", "mjcf", "urdf", "rust", "c", "fmu", "python", "link"];
 
-const TOOLS: [Tool; 6] = [
+const TOOLS: [Tool; 7] = [
     Tool {
         name: "check",
         title: "Check a declaration",
@@ -156,6 +156,15 @@ const TOOLS: [Tool; 6] = [
         writes: false,
         words: |_| Ok(vec!["report".to_owned(), "--json".to_owned()]),
         answer: of_json,
+    },
+    Tool {
+        name: "equations",
+        title: "Equations of motion",
+        about: "The equations of motion as in a textbook, as LaTeX, with the symbols of the coordinates.",
+        fields: &[],
+        writes: false,
+        words: |_| Ok(vec!["report".to_owned(), "--equations".to_owned()]),
+        answer: as_text,
     },
     Tool {
         name: "modes",

@@ -113,7 +113,7 @@ fn words_that_are_no_command_are_answered() {
         ),
         (
             &["report", "--jsn", "-"],
-            "there is no option --jsn; `--json` is one\noptions of `plm report`: --json\n",
+            "there is no option --jsn; `--json` is one\noptions of `plm report`: --json, --equations, --mathml\n",
         ),
         (&["expand", "--jsn", "-"], "there is no option --jsn\noptions of `plm expand`: none\n"),
         (&["--json"], "there is no option --json"),

@@ -16,6 +16,7 @@ mod json;
 mod lsp;
 mod mcp;
 mod modes;
+mod report;
 mod run;
 mod told;
 

@@ -28,6 +28,8 @@ pub use elimination::Elimination;
 pub(crate) use function::{Function, Place};
 pub(crate) use linearised::{Augmented, Linearised};
 pub(crate) use program::{Program, reduce};
+#[cfg(feature = "lowered")]
+pub(crate) use reduced::textbook::{Condition, Row, Textbook, textbook};
 pub(crate) use reduced::{Chart, Reduced, is_tree};
 pub(crate) use resolvent::Resolvent;
 pub use rows::{OfRows, RowTerm};

@@ -16,6 +16,8 @@ mod layout;
 mod linearised;
 mod motion;
 mod pose;
+#[cfg(feature = "lowered")]
+pub(crate) mod textbook;
 mod tree;
 
 use crate::collect::CollectVec;

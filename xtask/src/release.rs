@@ -1,0 +1,170 @@
+//! A release: what must hold of its tag, the files that it has, their sizes and checksums, and the crates in their order.
+//!
+//! A workflow calls these steps, and anybody can: with `--dry-run` nothing is uploaded, and what a person has yet to fill in is told
+//! without ending the step.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::Result;
+use crate::place::Place;
+use crate::workspace;
+
+/// The address of the repository where it is hosted; a release fails while it is empty.
+const ADDRESS: &str = "";
+
+/// The folder of the files of a release, below that of cargo.
+const FOLDER: &str = "release-files";
+/// The profile of `plm`: without symbols.
+const PROFILE: &str = "dist";
+/// The declaration of the examples in a release.
+const EXAMPLE: &str = "examples/playground/four_bar.plm";
+/// The most that a file may have, by the beginning and the end of its name, bytes.
+const MOST: [(&str, &str, u64); 3] =
+    [("plm-", "", 25_000_000), ("playground", ".html", 1_400_000), ("plm_planar-", ".whl", 12_000_000)];
+
+const USAGE: &str = "\
+cargo xtask release check TAG        version, changelog and address are those of a release
+cargo xtask release binary TARGET    `plm` for a target of rustc, without symbols
+cargo xtask release page             the playground as one file
+cargo xtask release book             the book
+cargo xtask release examples         C source with its header, and a package that makes an FMU, of the four-bar
+cargo xtask release sums             sizes and checksums of all files, within their limits
+cargo xtask release crates           the crates, in their order, to the registry
+each with --dry-run";
+
+pub(crate) fn run(place: &Place, words: &[String]) -> Result {
+    let is_dry = words.iter().any(|word| word == "--dry-run");
+    let words: Vec<&str> = words.iter().map(String::as_str).filter(|word| *word != "--dry-run").collect();
+    let folder = place.target.join(FOLDER);
+    fs::create_dir_all(&folder).map_err(|why| format!("{}: {why}", folder.display()))?;
+    match words.as_slice() {
+        ["check", tag] => check(place, tag, is_dry),
+        ["binary", target] => binary(place, target, &folder),
+        ["page"] => page(place, &folder),
+        ["book"] => book(place, &folder),
+        ["examples"] => examples(place, &folder),
+        ["sums"] => sums(place, &folder),
+        ["crates"] => crates(place, is_dry),
+        _ => Err(format!("these are the steps of a release:\n{USAGE}")),
+    }
+}
+
+/// Is all there that a release of this tag needs?
+fn check(place: &Place, tag: &str, is_dry: bool) -> Result {
+    let version = version(&place.root)?;
+    let mut wrong = Vec::new();
+    if tag != format!("v{version}") {
+        wrong.push(format!("the tag {tag} is not that of the version {version} in Cargo.toml"));
+    }
+    let changelog = workspace::read(&place.root.join("CHANGELOG.md"))?;
+    let heading = changelog.lines().find(|line| line.starts_with(&format!("## [{version}] - ")));
+    let is_dated =
+        heading.is_some_and(|line| line.chars().rev().take(10).all(|c| c.is_ascii_digit() || c == '-'));
+    if !is_dated {
+        wrong.push(format!("CHANGELOG.md has no heading of {version} with a date"));
+    }
+    if ADDRESS.is_empty() {
+        wrong.push("xtask/src/release.rs has no address of the repository".to_owned());
+    }
+    match (wrong.is_empty(), is_dry) {
+        (true, _) => place.say(&format!("{tag} can be released")),
+        (false, true) => place.say(&format!("not to be released yet:\n{}", wrong.join("\n"))),
+        (false, false) => Err(wrong.join("\n")),
+    }
+}
+
+/// The version of all crates.
+fn version(root: &Path) -> Result<String> {
+    let manifest = workspace::read(&root.join("Cargo.toml"))?;
+    let section = manifest.split_once("[workspace.package]\nversion = \"").map(|(_, rest)| rest);
+    let version = section.and_then(|rest| rest.split_once('"')).map(|(version, _)| version.to_owned());
+    version.ok_or_else(|| "Cargo.toml has no version of the workspace".to_owned())
+}
+
+/// `plm` for a target, in an archive with its licences.
+fn binary(place: &Place, target: &str, folder: &Path) -> Result {
+    place
+        .command(&format!("cargo build --locked --profile {PROFILE} -p plm-cli --bin plm --target {target}"))
+        .run()?;
+    let program = if target.contains("windows") { "plm.exe" } else { "plm" };
+    let made = place.target.join(target).join(PROFILE).join(program);
+    let archive = folder.join(format!("plm-{target}.tar.gz"));
+    let pack = place.command("tar -czf").arg(&archive).arg("-C").arg(made.with_file_name("")).arg(program);
+    pack.arg("-C").arg(&place.root).args(["LICENSE-APACHE", "LICENSE-MIT"]).run()?;
+    let size = size(&made)?;
+    place.say(&format!("{}: {size} bytes, packed {} bytes", made.display(), self::size(&archive)?))?;
+    if size > MOST[0].2 { Err(format!("{target}: plm has more than {} bytes", MOST[0].2)) } else { Ok(()) }
+}
+
+fn page(place: &Place, folder: &Path) -> Result {
+    place.command("bash examples/playground/build.sh").run()?;
+    copy(&place.root.join("target/plm/playground.html"), &folder.join("playground.html"))
+}
+
+fn book(place: &Place, folder: &Path) -> Result {
+    place.command("cargo xtask ci --only book").run()?;
+    let archive = folder.join("book.tar.gz");
+    place.command("tar -czf").arg(&archive).arg("-C").arg(&place.target).arg("book").run()
+}
+
+/// C source with its header, and the package from which `cargo run --release -- --fmu` makes an FMU.
+fn examples(place: &Place, folder: &Path) -> Result {
+    for (option, name) in [("--c-source", "four_bar_c"), ("--fmu", "four_bar_fmu")] {
+        let made = place.target.join("release-examples").join(name);
+        let export = place.command("cargo run --quiet -p plm-cli -- export --force").arg(EXAMPLE);
+        export.arg(option).arg(&made).run()?;
+        let archive = folder.join(format!("{name}.tar.gz"));
+        place.command("tar -czf").arg(&archive).arg("-C").arg(made.with_file_name("")).arg(name).run()?;
+    }
+    Ok(())
+}
+
+/// A list of all files with sizes and checksums, which is printed too.
+fn sums(place: &Place, folder: &Path) -> Result {
+    let unread = |why: std::io::Error| format!("{}: {why}", folder.display());
+    let entries: std::result::Result<Vec<PathBuf>, _> =
+        fs::read_dir(folder).map_err(unread)?.map(|entry| entry.map(|entry| entry.path())).collect();
+    let mut files: Vec<PathBuf> = entries.map_err(unread)?;
+    files.retain(|file| !file.ends_with("SHA256SUMS"));
+    files.sort();
+    if files.is_empty() {
+        return Err(format!("{} has no files: other steps make them", folder.display()));
+    }
+    let (mut lines, mut wrong) = (Vec::new(), Vec::new());
+    for file in &files {
+        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        // That of macOS has another name.
+        let program = if cfg!(target_os = "macos") { "shasum -a 256" } else { "sha256sum" };
+        let text = place.command(program).arg(file).text()?;
+        let sum = text.split_whitespace().next().unwrap_or_default().trim_start_matches('\\');
+        let size = size(file)?;
+        place.say(&format!("{size:>10}  {name}"))?;
+        lines.push(format!("{sum}  {name}\n"));
+        let limit = MOST.iter().find(|(start, end, _)| name.starts_with(start) && name.ends_with(end));
+        wrong.extend(
+            limit
+                .filter(|(.., most)| size > *most)
+                .map(|(.., most)| format!("{name} has more than {most} bytes")),
+        );
+    }
+    let list = folder.join("SHA256SUMS");
+    fs::write(&list, lines.concat()).map_err(|why| format!("{}: {why}", list.display()))?;
+    if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n")) }
+}
+
+/// The crates, in their order; without an upload in a dry run.
+fn crates(place: &Place, is_dry: bool) -> Result {
+    let excluded = ["plm-peers", "plm-shared-parts", "plm-ui", "xtask"];
+    let publish =
+        place.command("cargo publish --workspace").args(excluded.iter().flat_map(|name| ["--exclude", name]));
+    if is_dry { publish.args(["--dry-run", "--no-verify", "--allow-dirty"]).run() } else { publish.run() }
+}
+
+fn copy(from: &Path, to: &Path) -> Result {
+    fs::copy(from, to).map(|_| ()).map_err(|why| format!("{}: {why}", from.display()))
+}
+
+fn size(file: &Path) -> Result<u64> {
+    fs::metadata(file).map(|found| found.len()).map_err(|why| format!("{}: {why}", file.display()))
+}
