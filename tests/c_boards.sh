@@ -105,6 +105,14 @@ word() {
     sed -n "s/.* $1 \([0-9]*\).*/\1/p" <<<" $2"
 }
 
+# The example of the page *In an interrupt*.
+out=$made/interrupt
+mkdir -p "$out"
+sed -n '/^pub Pendulum {/,/^}/p' docs/src/running/c-source.md >"$out/pendulum.plm"
+"$plm" export "$out/pendulum.plm" --c-source "$out" --single --force >/dev/null
+tool arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -std=c99 -Os -ffreestanding -I $own/include -I "$out" \
+    -Wall -Wextra -Werror -c $own/interrupt.c -o "$out/interrupt.o"
+
 wrong=0
 printf '%-16s %-7s %-5s %6s %7s %6s  %s\n' mechanism numbers board flash object stack bits
 for name in double_pendulum four_bar chain bouncer arm_on_jack; do
