@@ -13,6 +13,7 @@ import sys
 import tempfile
 import threading
 import time
+import zipfile
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -392,6 +393,21 @@ stopped.set()
 thread.join()
 # With the lock held all along there would be a turn every 50 ms, at which the run asks.
 expect(counted > 1000 and busy.time > 1.0, f"a run of {busy.time:.0f} s went on while this thread counted to {counted}")
+
+# C source, and an FMU with it: what the command line writes, with values in place of those declared.
+with tempfile.TemporaryDirectory() as folder:
+    written = pendulum.c_source(Path(folder) / "c", single=True, parameters={"mass": 1.0, "length": "50 cm"})
+    names = sorted(path.name for path in written)
+    expect(names == ["pendulum.c", "pendulum.h", "plm_math.h"], f"C source is three files: {names}")
+    expect("float" in written[0].read_text() and all(path.is_file() for path in written), "of the numbers that are asked for")
+    for version, listed in (2, False), (3, True):
+        file = pendulum.fmu_source(Path(folder) / "p.fmu", version=version, parameters={"mass": 1.0})
+        entries = zipfile.ZipFile(file).namelist()
+        has = "modelDescription.xml" in entries and "sources/pendulum_fmi.c" in entries
+        expect(has and ("sources/buildDescription.xml" in entries) == listed, f"an FMU of version {version} has its files: {entries}")
+    refused(ValueError, "version is 2 or 3", lambda: pendulum.fmu_source("none.fmu", version=1, parameters={"mass": 1.0}))
+    refused(ValueError, "interface is", lambda: pendulum.fmu_source("none.fmu", interface="both", parameters={"mass": 1.0}))
+    refused(KeyError, "", lambda: pendulum.c_source("none", parameters={"weight": 1.0}))
 
 # Contact and events, beside the flights of a ball that bounces.
 ball = plm.Mechanism(

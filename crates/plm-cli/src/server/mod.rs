@@ -5,6 +5,7 @@
 mod complete;
 mod document;
 mod hints;
+mod home;
 mod meaning;
 mod names;
 mod parts;
@@ -19,12 +20,10 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use lsp_server::{ErrorCode, Message, Notification, Request, Response};
-use plm_compiler::token::Sources;
 use plm_compiler::without_panic;
 use serde_json::{Value, json};
 
 use crate::layout::formatted;
-use crate::package::{Package, version};
 use document::Document;
 use meaning::{Meaning, hover, meaning};
 pub(crate) use streams::serve;
@@ -134,7 +133,8 @@ impl Server {
             "textDocument/inlayHint" => Some(inlay(document, &params["range"])),
             "textDocument/formatting" => Some(layout(document)),
             "textDocument/codeAction" => Some(fixes(document, &params["range"])),
-            "plm/package" => Some(package(document)),
+            "plm/package" => Some(home::package(document)),
+            "plm/source" => Some(home::source(document, &params["kind"])),
             _ => None,
         });
         match result {
@@ -220,19 +220,6 @@ fn layout(document: &Document) -> Value {
     }
 }
 
-/// The package of the first declaration of a text: its name and its files, or why there is none. No message of the protocol asks for
-/// it; the playground does.
-fn package(document: &Document) -> Value {
-    let Some(declaration) = document.declarations.first() else { return Value::Null };
-    let own = declaration.excerpt.own_text(&document.text);
-    let mut sources = Sources::new();
-    sources.add_text(&document.name, &own);
-    match Package::new(&own, &sources, &version()) {
-        Ok(Package { name, files }) => json!({ "name": name, "files": files }),
-        Err(why) => json!({ "why": why }),
-    }
-}
-
 /// Replacements that diagnostics of a range suggest.
 fn fixes(document: &Document, range: &Value) -> Value {
     let [start, end] = ["start", "end"].map(|of| text::offset(&document.text, &range[of]));
@@ -292,6 +279,28 @@ mod tests {
         let [found] = &said(&mut server, &asked)[..] else { unreachable!() };
         let main = found["result"]["files"]["src/main.rs"].as_str().unwrap_or_default();
         assert!(main.contains(text) && found["result"]["name"] == "p", "{found}");
+
+        let source = |server: &mut Server, kind: &str| {
+            let params = json!({ "textDocument": document, "kind": kind });
+            let all = said(server, &json!({ "id": 4, "method": "plm/source", "params": params }));
+            all.first().map(|found| found["result"].clone()).unwrap_or_default()
+        };
+        // The declaration has a mistake.
+        assert!(source(&mut server, "c")["why"].as_str().is_some_and(|why| why.contains("error[")));
+        let text = "pub P { ground { port o: (0, 0) m; } body b { mass: 1 kg; inertia: 1 kg*m^2; port o: (0, 1) m; } \
+                    revolute pin(ground.o, b.o); }";
+        let params = json!({ "textDocument": { "uri": "plm:p.plm", "version": 2 }, "contentChanges": [{ "text": text }] });
+        said(&mut server, &json!({ "method": "textDocument/didChange", "params": params }));
+        for (kind, file) in
+            [("c", "p.h"), ("fmi2", "sources/p_fmi.c"), ("fmi3", "sources/buildDescription.xml")]
+        {
+            let made = source(&mut server, kind);
+            assert!(
+                made["files"][file].is_string() && made["name"] == "p" && made["notices"] == json!([]),
+                "{made}"
+            );
+        }
+        assert!(source(&mut server, "fmi1")["why"].is_string());
 
         let closed = json!({ "method": "textDocument/didClose", "params": { "textDocument": document } });
         let [shown] = &said(&mut server, &closed)[..] else { unreachable!() };

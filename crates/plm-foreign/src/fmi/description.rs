@@ -54,7 +54,7 @@ impl Facts<'_> {
         self.types(version, to)?;
         writeln!(to, "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>")?;
         writeln!(to, "    <Category name=\"logStatusDiscard\"/>\n    <Category name=\"logStatusError\"/>")?;
-        write!(to, "  </LogCategories>\n  <DefaultExperiment startTime=\"0\"")?;
+        write!(to, "  </LogCategories>\n  <DefaultExperiment startTime=\"{}\"", self.time)?;
         if let Some(tolerance) = self.tolerance {
             write!(to, " tolerance=\"{tolerance:?}\"")?;
         }

@@ -40,6 +40,8 @@ pub struct Facts<'a> {
     pub guards: Vec<&'a str>,
     /// Names of rows of contact.
     pub contacts: Vec<&'a str>,
+    /// The time of the start, s.
+    pub time: f64,
     /// The usual tolerance of co-simulation, where it has one.
     pub tolerance: Option<f64>,
     /// The usual length of steps of co-simulation, s.
@@ -117,6 +119,7 @@ impl<'a> Facts<'a> {
             states: (0..M::X::LEN).map(|k| (declared.name_of_state(k), typical.at(k))).collect(),
             guards: (0..<M as Events>::G::LEN).map(|k| declared.guard_name(k)).collect(),
             contacts: named(Kind::Contact),
+            time: 0.0,
             tolerance: Some(tolerance),
             step,
         }

@@ -2,8 +2,8 @@
 
 use plm_cli::{Found, with_values};
 use plm_dynamic::Dynamic;
-use plm_studies::optimise::{Error, Fit as Fitted, Integration};
 use plm_runtime::Fault;
+use plm_studies::optimise::{Error, Fit as Fitted, Integration};
 use plm_view::{Page, Results};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

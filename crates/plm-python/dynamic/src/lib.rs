@@ -10,6 +10,7 @@ mod library;
 mod page;
 mod rollouts;
 mod run;
+mod source;
 mod tables;
 mod text;
 
@@ -52,6 +53,8 @@ mod _native {
     use super::page::page;
     #[pymodule_export]
     use super::rollouts::rollouts;
+    #[pymodule_export]
+    use super::source::{c_source, fmu_source};
     #[pymodule_export]
     use super::text::{Text, command, diagnostics, value};
 }

@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 
 from numpy.typing import ArrayLike
 
-from . import _native, _show
+from . import _native, _show, _source
 from ._checks import finite, optional, text as named
 from ._experiment import Experiment, Rows, Unknowns, Value
 from ._fit import Fit, identify
@@ -120,6 +120,38 @@ class Mechanism:
         names = list(self.inputs)
         sim._run = sim._started(given, begin, by, time, [(names.index(name), value) for name, value in fed.items()])
         return sim
+
+    def c_source(
+        self,
+        folder: Union[str, Path],
+        *,
+        single: bool = False,
+        parameters: Optional[Mapping[str, Value]] = None,
+        inputs: Optional[Mapping[str, Value]] = None,
+        start: Optional[Mapping[str, Value]] = None,
+    ) -> list[Path]:
+        """Writes C99 of the mechanism into a folder, and gives the files; `single` is for numbers of 32 bits.
+
+        What no source has is refused by its name, with a `ValueError`.
+        """
+        return _source.c_source(self, folder, single, parameters, start, inputs)
+
+    def fmu_source(
+        self,
+        file: Union[str, Path],
+        *,
+        version: int = 3,
+        interface: Optional[str] = None,
+        parameters: Optional[Mapping[str, Value]] = None,
+        inputs: Optional[Mapping[str, Value]] = None,
+        start: Optional[Mapping[str, Value]] = None,
+    ) -> Path:
+        """Writes an FMU with C source, of FMI 3.0 or 2.0 (`version` 2), and gives the file.
+
+        `interface` is "model-exchange" or "co-simulation"; without it the FMU has both, or co-simulation alone and a warning that names
+        what model exchange does not have.
+        """
+        return _source.fmu_source(self, file, version, interface, parameters, start, inputs)
 
     def run(
         self,

@@ -5,7 +5,7 @@ from ._experiment import Given, Wanted
 from ._values import Fault
 
 __version__: str
-__all__ = ["Fit", "Native", "Text", "__version__", "command", "diagnostics", "gradient", "identify", "page", "parts", "rollouts", "value"]
+__all__ = ["Fit", "Native", "Text", "__version__", "c_source", "command", "diagnostics", "fmu_source", "gradient", "identify", "page", "parts", "rollouts", "value"]
 
 _Row = tuple[str, str, str, float, str, Optional[float]]
 _Numbers = list[tuple[int, float]]
@@ -60,8 +60,14 @@ class Text:
         self, by: _By, parameters: _Numbers, starts: _Numbers, time: float, inputs: _Numbers = ...
     ) -> Native: ...
 
+def c_source(
+    text: Text, single: bool, parameters: _Numbers, starts: _Numbers, inputs: _Numbers
+) -> list[tuple[str, str]]: ...
 def command(words: list[str]) -> int: ...
 def diagnostics(name: str, text: str) -> str: ...
+def fmu_source(
+    text: Text, fmi: tuple[int, Optional[str]], parameters: _Numbers, starts: _Numbers, inputs: _Numbers
+) -> tuple[bytes, list[str]]: ...
 def gradient(
     text: Text,
     by: _By,

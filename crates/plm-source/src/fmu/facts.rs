@@ -53,6 +53,7 @@ pub(super) fn facts<'a>(
         states: names.zip(typical).take(counts.states).collect(),
         guards,
         contacts: Vec::new(),
+        time: plan.start.time,
         tolerance: None,
         step: STEP,
     }

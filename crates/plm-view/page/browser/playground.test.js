@@ -109,6 +109,16 @@ test("what is typed is taken home as a package, and the commands are told", { sk
   const main = new TextDecoder().decode(files.get("pendulum/src/main.rs"));
   assert.ok(main.includes(PENDULUM.trim().replaceAll(/^/gm, "    ")) && main.includes("Program::new(Pendulum::new())"), main);
   assert.ok(files.has("pendulum/Cargo.toml"));
+  for (const [button, file, entry] of [
+    ["#home-c", "pendulum_c.zip", "pendulum/pendulum.h"],
+    ["#home-fmi3", "pendulum.fmu", "sources/buildDescription.xml"],
+    ["#home-fmi2", "pendulum.fmu", "modelDescription.xml"],
+  ]) {
+    const [source] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+    assert.equal(source.suggestedFilename(), file);
+    const names = (await readZip(new Uint8Array(readFileSync(await source.path())))).entries.map(({ name }) => name);
+    assert.ok(names.includes(entry), names.join(" "));
+  }
   assert.deepEqual(errors, []);
 });
 

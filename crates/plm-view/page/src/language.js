@@ -143,6 +143,14 @@ export class Language {
     return (await this.ask("plm/package")) ?? { why: "the compiler has given no answer" };
   }
 
+  /**
+   * The C source of the text (`c`), or the files of an FMU with sources (`fmi2`, `fmi3`), or why there is none.
+   * @param {"c" | "fmi2" | "fmi3"} kind @returns {Promise<(Package & {notices: string[]}) | {why: string}>}
+   */
+  async source(kind) {
+    return (await this.ask("plm/source", { kind })) ?? { why: "the compiler has given no answer" };
+  }
+
   /** The edits that give the text its layout. @returns {Promise<Edit[]>} */
   async layout() {
     return (await this.ask("textDocument/formatting", { options: { tabSize: 4, insertSpaces: true } })) ?? [];

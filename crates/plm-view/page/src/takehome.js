@@ -1,4 +1,4 @@
-// What is typed, to take home: a file, a Rust crate, a link.
+// What is typed, to take home: a file, a Rust crate, C source, an FMU with that.
 
 import { element, saveBlob, setText } from "./dom.js";
 import { showDialog } from "./dialogs.js";
@@ -31,6 +31,20 @@ async function savePackage(language, told) {
   saveBlob(new Blob([bytes], { type: "application/zip" }), `${made.name}.zip`);
 }
 
+/** Saves C source of the text, or an FMU with it. @param {"c" | "fmi2" | "fmi3"} kind @param {Language} language @param {HTMLElement} told */
+async function saveSource(kind, language, told) {
+  const made = await language.source(kind);
+  if ("why" in made) {
+    setText(told, `There is none: ${made.why}`);
+    return;
+  }
+  const isFmu = kind !== "c";
+  const encoder = new TextEncoder();
+  const bytes = await zipFile(Object.entries(made.files).map(([path, text]) => [isFmu ? path : `${made.name}/${path}`, encoder.encode(text)]));
+  saveBlob(new Blob([bytes], { type: "application/zip" }), isFmu ? `${made.name}.fmu` : `${made.name}_c.zip`);
+  setText(told, made.notices.length > 0 ? made.notices.join("; ") : "It has the steps of Rk4 as C99, with the same bits; no Rust is needed to compile it.");
+}
+
 /** Commands for a file, and what they make of it. @param {string} name the file without its ending */
 const homeCommands = (name) => [
   [`plm run ${name}.plm --until 5 --csv outputs.csv`, "its outputs as a table"],
@@ -38,6 +52,8 @@ const homeCommands = (name) => [
   [`plm expand ${name}.plm`, "the Rust code that the macro makes of it"],
   [`plm export ${name}.plm --c ${name}`, "a package that makes a library for C and C++, and the command for it"],
   [`plm export ${name}.plm --fmu ${name}`, "a package that makes an FMU"],
+  [`plm export ${name}.plm --c-source ${name}`, "C99 of it, without Rust"],
+  [`plm export ${name}.plm --fmu-source ${name}.fmu`, "an FMU with that source"],
   [`plm export ${name}.plm --python ${name}`, "a package that makes a wheel for Python"],
   [`plm export ${name}.plm --mjcf ${name}.xml`, "a model of MuJoCo"],
   [`plm export ${name}.plm --urdf ${name}.urdf`, "a robot of ROS"],
@@ -56,6 +72,9 @@ export function openTakeHome(text, language) {
       { class: "row" },
       button("home-text", "Declaration (.plm)", () => saveText(text)),
       button("home-crate", "Rust crate (.zip)", () => void savePackage(language, told)),
+      button("home-c", "C source (.zip)", () => void saveSource("c", language, told)),
+      button("home-fmi3", "FMU with source, FMI 3.0", () => void saveSource("fmi3", language, told)),
+      button("home-fmi2", "FMI 2.0", () => void saveSource("fmi2", language, told)),
     ),
     told,
     element("h3", {}, "On the command line"),

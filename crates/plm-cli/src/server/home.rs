@@ -1,0 +1,57 @@
+//! Answers for the playground that no message of the protocol asks for: the first declaration of a text as files, to take home.
+
+use plm_compiler::token::Sources;
+use plm_dynamic::Mechanism;
+use plm_source::{File, Precision, Version};
+use serde_json::{Map, Value, json};
+
+use super::document::Document;
+use crate::package::{Package, version};
+
+/// Its package of cargo: the name and the files, or why there is none.
+pub(super) fn package(document: &Document) -> Value {
+    let Some(own) = text(document) else { return Value::Null };
+    let mut sources = Sources::new();
+    sources.add_text(&document.name, &own);
+    match Package::new(&own, &sources, &version()) {
+        Ok(Package { name, files }) => json!({ "name": name, "files": files }),
+        Err(why) => json!({ "why": why }),
+    }
+}
+
+/// Its C source, or the files of an FMU of that (`kind` is `c`, `fmi2` or `fmi3`), with what has to be told of them.
+pub(super) fn source(document: &Document, kind: &Value) -> Value {
+    let Some(own) = text(document) else { return Value::Null };
+    let version = match kind.as_str() {
+        Some("c") => None,
+        Some("fmi2") => Some(Version::Two),
+        Some("fmi3") => Some(Version::Three),
+        _ => return json!({ "why": "a source is of the kind c, fmi2 or fmi3" }),
+    };
+    made(&document.name, &own, version).unwrap_or_else(|why| json!({ "why": why }))
+}
+
+fn made(name: &str, text: &str, version: Option<Version>) -> Result<Value, String> {
+    let mechanism = Mechanism::from_named_text(name, text).map_err(|error| error.to_string())?;
+    let (files, notices) = match version {
+        None => {
+            (plm_source::c(&mechanism, Precision::Double).map_err(|failure| failure.to_string())?, Vec::new())
+        }
+        Some(version) => {
+            let made = plm_source::fmu(&mechanism, version, None).map_err(|failure| failure.to_string())?;
+            let without = made.without_exchange.iter();
+            (made.files, without.map(|refused| format!("co-simulation alone: {refused}")).collect())
+        }
+    };
+    let header =
+        files.iter().find_map(|file| file.name.strip_suffix(".h").filter(|name| !name.ends_with("plm_math")));
+    let name = header.map(|path| path.rsplit('/').next().unwrap_or(path).to_owned());
+    let files = files.into_iter().map(|File { name, text }| (name, Value::String(text)));
+    Ok(json!({ "name": name, "files": files.collect::<Map<_, _>>(), "notices": notices }))
+}
+
+/// The text of the first declaration.
+fn text(document: &Document) -> Option<String> {
+    let declaration = document.declarations.first()?;
+    Some(declaration.excerpt.own_text(&document.text))
+}
