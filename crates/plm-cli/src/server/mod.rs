@@ -4,6 +4,7 @@
 
 mod complete;
 mod document;
+mod draw;
 mod hints;
 mod home;
 mod meaning;
@@ -101,6 +102,16 @@ impl Server {
     fn answer(&self, request: Request) -> Response {
         let Request { id, method, params } = request;
         let uri = params["textDocument"]["uri"].as_str().unwrap_or_default();
+        // A page draws on a text of its own, which need not be open.
+        if let ("plm/draw", Some(text)) = (method.as_str(), params["text"].as_str()) {
+            let drawn = without_panic(|| draw::answered_of_text(uri, text, &params));
+            return match drawn {
+                Ok(drawn) => Response::new_ok(id, drawn),
+                Err(what) => {
+                    Response::new_err(id, ErrorCode::InternalError as i32, plm_compiler::bug_message(&what))
+                }
+            };
+        }
         let Some(document) = self.documents.get(uri) else {
             return Response::new_err(id, ErrorCode::InvalidParams as i32, format!("{uri} is not open"));
         };
@@ -135,6 +146,7 @@ impl Server {
             "textDocument/codeAction" => Some(fixes(document, &params["range"])),
             "plm/package" => Some(home::package(document)),
             "plm/source" => Some(home::source(document, &params["kind"])),
+            "plm/draw" => Some(draw::answered(document, &params)),
             _ => None,
         });
         match result {

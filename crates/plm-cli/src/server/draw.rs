@@ -1,0 +1,298 @@
+//! Drawing: gestures on a picture and the edits that they are, as JSON. No message of the protocol asks for it; pages do.
+//!
+//! `plm/draw` takes `{ textDocument, gesture, places, text }`. A page that draws on a text of its own sends it as `text`. `places` has where
+//! the ports stand; an editor without a picture leaves it out, and the text is compiled for it.
+
+use std::ops::Range;
+
+use plm_compiler::without_panic;
+use plm_draw::{
+    Dimension, Drag, Drawn, Edit, End, GROUND, Gesture, Handle, Literal, Picture, Place, Placed, Point,
+    PortName, Refusal, Sheet, TOOLS, Typed, draw, lift,
+};
+use serde_json::{Value, json};
+
+use super::document::Document;
+use super::text;
+use crate::checked::checked;
+use crate::excerpt::excerpts;
+
+/// Dimensions by their words.
+const DIMENSIONS: [(&str, Dimension); 4] =
+    [("x", Dimension::X), ("y", Dimension::Y), ("length", Dimension::Length), ("angle", Dimension::Angle)];
+
+/// The step of a picture that says none, m.
+const GRID: f64 = 1e-3;
+
+/// A request that cannot be read, and what was expected.
+struct Unread(&'static str);
+
+/// The answer to a gesture on the first declaration of a text; `{ why }` where it changes nothing.
+pub(super) fn answered(document: &Document, params: &Value) -> Value {
+    let masked = document.declarations.first().and_then(|of| of.excerpt.masked(&document.text));
+    answer(&document.name, &document.text, masked.as_deref(), params)
+}
+
+/// Such an answer for a text that is not open.
+pub(super) fn answered_of_text(uri: &str, original: &str, params: &Value) -> Value {
+    let (name, text) = (text::path(uri), original.replace("\r\n", "\n"));
+    let masked = excerpts(&name, &text).found.first().and_then(|excerpt| excerpt.masked(&text));
+    answer(&name, &text, masked.as_deref(), params)
+}
+
+fn answer(name: &str, text: &str, masked: Option<&str>, params: &Value) -> Value {
+    let asked = &params["gesture"];
+    let sheet = Sheet::read(text, masked);
+    match asked["kind"].as_str().unwrap_or_default() {
+        "handles" => return handles(&sheet),
+        "tools" => {
+            return TOOLS.iter().map(|tool| json!({ "tool": tool.word, "title": tool.title })).collect();
+        }
+        _ => {}
+    }
+    let picture = match params["places"].as_array() {
+        Some(places) => Picture { ports: places.iter().filter_map(placed).collect() },
+        None => without_panic(|| assembled(name, text, masked)).unwrap_or_default(),
+    };
+    let result = match asked["kind"].as_str().unwrap_or_default() {
+        "pin" => port(&asked["port"]).map(|port| sheet.pin(&port).iter().map(named).collect()),
+        "lift" => dragged(asked).map(|drag| lifted(&sheet, &picture, &drag)),
+        _ => gesture(asked).map(|gesture| shown(text, draw(&sheet, &picture, &gesture))),
+    };
+    result.unwrap_or_else(|Unread(expected)| json!({ "why": format!("the gesture has no {expected}") }))
+}
+
+/// The ports of a text as it is assembled; none where it has errors.
+fn assembled(name: &str, text: &str, masked: Option<&str>) -> Picture {
+    let Some(oracle) = checked(name, text, masked).expansion.oracle else { return Picture::default() };
+    let found = oracle.picture();
+    let still = found.ground.iter().map(|port| ([0.0; 3], GROUND, port));
+    let moving =
+        found.bodies.iter().flat_map(|body| body.ports.iter().map(|port| (body.pose, &*body.name, port)));
+    let place = |([x, y, angle], owner, port): ([f64; 3], &str, &plm_compiler::PicturePort)| {
+        let ((sin, cos), [px, py, _]) = (angle.sin_cos(), port.place);
+        let at = [x + cos * px - sin * py, y + sin * px + cos * py];
+        Placed { name: PortName::new(owner, &port.name), at, angle }
+    };
+    Picture { ports: still.chain(moving).map(place).collect() }
+}
+
+fn handles(sheet: &Sheet<'_>) -> Value {
+    let number = |of: &Literal| json!({ "range": text::range(sheet.text, &of.range), "value": of.value, "factor": of.factor(), "unit": of.unit.text });
+    let shown = |handle: &Handle<'_>| {
+        let mut shown = named(&handle.name);
+        shown["turns"] = json!(handle.turns);
+        shown["driven"] = json!(handle.is_driven);
+        match &handle.place {
+            Place::Numbers { numbers, through, .. } => {
+                shown["numbers"] = numbers.iter().map(number).collect();
+                shown["through"] = json!(through);
+            }
+            Place::Expression(text) => shown["expression"] = json!(text),
+        }
+        shown
+    };
+    sheet.handles().iter().map(shown).collect()
+}
+
+fn lifted(sheet: &Sheet<'_>, picture: &Picture, drag: &Drag) -> Value {
+    match lift(sheet, picture, drag) {
+        Ok(lifted) => json!({ "text": lifted.text, "parameters": lifted.parameters }),
+        Err(why) => json!({ "why": why.to_string() }),
+    }
+}
+
+fn shown(text: &str, drawn: Result<Drawn, Refusal>) -> Value {
+    let place = |range: &Range<usize>| text::range(text, range);
+    let edit = |of: &Edit| json!({ "range": place(&of.range), "newText": of.text });
+    match drawn {
+        Ok(drawn) => json!({
+            "edits": drawn.edits.iter().map(edit).collect::<Value>(),
+            "values": drawn.values,
+            "to": drawn.to,
+            "also": drawn.also.iter().map(named).collect::<Value>(),
+            "open": drawn.open,
+            "made": drawn.made,
+        }),
+        Err(why) => json!({ "why": why.to_string() }),
+    }
+}
+
+fn named(port: &PortName) -> Value {
+    json!({ "owner": port.owner, "port": port.port })
+}
+
+fn gesture(asked: &Value) -> Result<Gesture, Unread> {
+    let word = |of: &str, what| asked[of].as_str().map(str::to_owned).ok_or(Unread(what));
+    let grid = grid(asked);
+    let is_of_port = asked["port"].is_object();
+    Ok(match asked["kind"].as_str().unwrap_or_default() {
+        "drag" => Gesture::Drag(dragged(asked)?),
+        "typed" => Gesture::Typed(Typed {
+            port: port(&asked["port"])?,
+            dimension: DIMENSIONS
+                .iter()
+                .find(|(word, _)| asked["dimension"] == *word)
+                .map(|(_, dimension)| *dimension)
+                .ok_or(Unread("dimension: x, y, length or angle"))?,
+            text: word("text", "text")?,
+            grid,
+        }),
+        "bar" => Gesture::Bar { ends: [end(&asked["ends"][0])?, end(&asked["ends"][1])?], grid },
+        "ground" => Gesture::Ground { port: port(&asked["port"])?, grid },
+        "merge" => {
+            let onto = port(&asked["onto"])?;
+            let own = port(&asked["port"])?;
+            let to = asked["to"].as_array().map_or(Ok([0.0; 2]), |_| point(&asked["to"]))?;
+            Gesture::Merge { drag: Drag { port: own, to, grid, free: asked["free"] == true }, onto }
+        }
+        "motor" => Gesture::Motor { body: word("body", "body")? },
+        "join" => {
+            let ports = [port(&asked["ports"][0])?, port(&asked["ports"][1])?];
+            Gesture::Join { tool: word("tool", "tool")?, ports, grid }
+        }
+        "delete" if is_of_port => Gesture::DeletePort { port: port(&asked["port"])? },
+        "delete" => Gesture::Delete { name: word("name", "name")? },
+        "rename" if is_of_port => {
+            Gesture::RenamePort { from: port(&asked["port"])?, to: word("to", "new name")? }
+        }
+        "rename" => Gesture::Rename { from: word("name", "name")?, to: word("to", "new name")? },
+        _ => return Err(Unread("kind that is known")),
+    })
+}
+
+fn grid(asked: &Value) -> f64 {
+    asked["grid"].as_f64().filter(|grid| *grid > 0.0).unwrap_or(GRID)
+}
+
+fn dragged(asked: &Value) -> Result<Drag, Unread> {
+    let (port, to) = (port(&asked["port"])?, point(&asked["to"])?);
+    Ok(Drag { port, to, grid: grid(asked), free: asked["free"] == true })
+}
+
+fn point(of: &Value) -> Result<Point, Unread> {
+    let [x, y] = [0, 1].map(|axis| of[axis].as_f64());
+    x.zip(y).map(|(x, y)| [x, y]).ok_or(Unread("point of two numbers"))
+}
+
+fn port(of: &Value) -> Result<PortName, Unread> {
+    let [owner, port] = ["owner", "port"].map(|word| of[word].as_str());
+    owner.zip(port).map(|(owner, port)| PortName::new(owner, port)).ok_or(Unread("port with its owner"))
+}
+
+fn end(of: &Value) -> Result<End, Unread> {
+    if of["owner"].is_string() {
+        return port(of).map(End::Port);
+    }
+    let at = point(&of["at"])?;
+    Ok(if of["ground"] == true { End::Ground(at) } else { End::Point(at) })
+}
+
+fn placed(of: &Value) -> Option<Placed> {
+    let name = port(of).ok()?;
+    let at = point(&of["at"]).ok()?;
+    Some(Placed { name, at, angle: of["angle"].as_f64().unwrap_or_default() })
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use crate::Server;
+    use crate::server::text;
+
+    const TEXT: &str = "\
+pub P {
+    ground { port o: (0, 0) m; port d: (30, 0) cm; }
+    body crank { mass: 1 kg; inertia: rod(1 kg, 10 cm); port a: (-5, 0) cm; port b: (5, 0) cm; start angle: 90 deg; }
+    revolute o(ground.o, crank.a);
+}
+";
+
+    /// The answer to a request.
+    fn asked(server: &mut Server, method: &str, params: &Value) -> Value {
+        let answers = server.message(&json!({ "id": 1, "method": method, "params": params }).to_string());
+        let [answer] = &answers[..] else { unreachable!("{answers:?}") };
+        serde_json::from_str::<Value>(answer).map(|mut answer| answer["result"].take()).unwrap_or_default()
+    }
+
+    /// A text after the edits of an answer.
+    fn edited(of: &str, answer: &Value) -> String {
+        let edits = answer["edits"].as_array().cloned().unwrap_or_default();
+        let mut made = of.to_owned();
+        for edit in edits.iter().rev() {
+            let [start, end] = ["start", "end"].map(|end| text::offset(of, &edit["range"][end]).unwrap_or(0));
+            made.replace_range(start..end, edit["newText"].as_str().unwrap_or_default());
+        }
+        made
+    }
+
+    #[test]
+    fn a_page_draws_on_a_text_of_its_own() {
+        let mut server = Server::default();
+        let document = json!({ "uri": "plm:p.plm" });
+        let mut draw = |text: &str, gesture: Value, places: Value| {
+            let params =
+                json!({ "textDocument": document, "text": text, "gesture": gesture, "places": places });
+            asked(&mut server, "plm/draw", &params)
+        };
+        let handles = draw(TEXT, json!({ "kind": "handles" }), Value::Null);
+        assert_eq!(handles[3]["owner"], "crank");
+        assert_eq!(handles[3]["numbers"][0]["value"], 5.0);
+        let places = json!([
+            { "owner": "crank", "port": "a", "at": [0.0, 0.0], "angle": std::f64::consts::FRAC_PI_2 },
+            { "owner": "crank", "port": "b", "at": [0.0, 0.1], "angle": std::f64::consts::FRAC_PI_2 },
+        ]);
+        let port = json!({ "owner": "crank", "port": "b" });
+        let drag = json!({ "kind": "drag", "port": port, "to": [0.12, 0.16], "grid": 1e-3 });
+        let drawn = draw(TEXT, drag, places.clone());
+        let made = edited(TEXT, &drawn);
+        let crank =
+            "inertia: rod(1 kg, 20 cm); port a: (-10, 0) cm; port b: (10, 0) cm; start angle: 53.13 deg;";
+        assert!(made.contains(crank), "{drawn}\n{made}");
+        assert_eq!(drawn["to"], json!([0.12, 0.16]));
+        let lift = json!({ "kind": "lift", "port": port, "to": [0.0, 0.1], "grid": 1e-3 });
+        let lifted = draw(TEXT, lift, places);
+        assert_eq!(lifted["parameters"].as_array().map(Vec::len), drawn["values"].as_array().map(Vec::len));
+        // From nothing.
+        let ends = json!([{ "at": [0.0, 0.0], "ground": true }, { "at": [0.3, -0.4] }]);
+        let made = edited("", &draw("", json!({ "kind": "bar", "ends": ends, "grid": 1e-3 }), json!([])));
+        assert!(made.starts_with("pub Drawing {\n    gravity: 9.81 m/s^2;\n"), "{made}");
+        let refused = draw("", json!({ "kind": "motor", "body": "bar1" }), json!([]));
+        assert_eq!(refused["why"], "the text has no `bar1`");
+        let refused = draw(TEXT, json!({ "kind": "drag", "to": [0, 0] }), json!([]));
+        assert_eq!(refused["why"], "the gesture has no port with its owner");
+        let refused = draw(TEXT, json!({ "kind": "fly" }), json!([]));
+        assert_eq!(refused["why"], "the gesture has no kind that is known");
+    }
+
+    /// An editor has no picture: the text is compiled for it.
+    #[test]
+    fn an_editor_draws_in_a_file_of_rust() {
+        let mut server = Server::default();
+        let text = format!("// Größe\nplm::mechanism! {{\n{TEXT}}}\nfn main() {{}}\n");
+        let document = json!({ "uri": "file:///p.rs", "languageId": "rust", "version": 1, "text": text });
+        let open = json!({ "method": "textDocument/didOpen", "params": { "textDocument": document } });
+        server.message(&open.to_string());
+        let port = json!({ "owner": "crank", "port": "b" });
+        let mut draw = |gesture: Value| {
+            asked(
+                &mut server,
+                "plm/draw",
+                &json!({ "textDocument": { "uri": "file:///p.rs" }, "gesture": gesture }),
+            )
+        };
+        let drawn = draw(json!({ "kind": "drag", "port": port, "to": [0.12, 0.16], "grid": 1e-3 }));
+        let made = edited(&text, &drawn);
+        assert!(
+            made.contains("port b: (10, 0) cm; start angle: 53.13 deg;") && made.starts_with("// Größe\n"),
+            "{made}"
+        );
+        let drawn = draw(json!({ "kind": "motor", "body": "crank" }));
+        let made = edited(&text, &drawn);
+        let row = "    revolute o(ground.o, crank.a);\n    constraint motor1: crank.angle = 90 deg + 60 rev/min*t;\n}\n}\n";
+        assert!(made.contains(row), "{made}");
+        let pin = draw(json!({ "kind": "pin", "port": { "owner": "crank", "port": "a" } }));
+        assert_eq!(pin, json!([{ "owner": "ground", "port": "o" }, { "owner": "crank", "port": "a" }]));
+    }
+}

@@ -1,0 +1,8 @@
+//! What gestures make of texts.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+
+mod gallery;
+mod lifted;
+mod random;
+mod support;
+mod tables;
