@@ -17,7 +17,7 @@ use crate::vector::Vector;
 
 /// Drift that is tolerated, as a fraction of the typical coordinate and velocity; of what the scalar can resolve, if that is
 /// more.
-pub(crate) const DRIFT: f64 = 1e-10;
+pub const DRIFT: f64 = 1e-10;
 
 /// Rounding error of the time over steps by themselves. In `f32` a step of a millisecond is rounded to 0.977 ms after 1000 s, and to 0 or 2
 /// ms after 20 000 s; so the rest of a step is added to the next one, as [`Sim::step`](crate::Sim::step) does.

@@ -1,7 +1,7 @@
 //! Absolute coordinates: the rate, the pose, projection onto the joints, and poses that are nearly singular.
 
-use plm_runtime::Real;
 use plm_runtime::absolute::Constants;
+use plm_runtime::{Real, step};
 
 use crate::Precision;
 use crate::dialect::Dialect as _;
@@ -89,6 +89,7 @@ fn words_of<S: Real>(plan: &Plan) -> Vec<(&'static str, String)> {
     let number = |value: S| c.number(value.to_f64());
     let length = S::lit(plan.lowered.length);
     let nq = counts.coordinates;
+    let drift = S::lit(step::DRIFT).max(S::lit(64.0) * S::EPSILON);
     let typical = |k: usize| S::lit(plan.lowered.typical.get(k).copied().unwrap_or(1.0));
     let largest = |from: usize| (from..from + nq).fold(S::ZERO, |most, k| typical(k).max(most));
     let list = |numbers: &mut dyn Iterator<Item = S>| numbers.map(number).collect::<Vec<_>>().join(", ");
@@ -103,8 +104,8 @@ fn words_of<S: Real>(plan: &Plan) -> Vec<(&'static str, String)> {
         ("health_taken", wanted(plan.lowered.may_be_singular, "plm_real health, ")),
         ("projected", wanted(drifts, project)),
         ("undrifted", wanted(drifts, " && !@p@_drifts(self, t, x)")),
-        ("drift", number(constants.drift * largest(0))),
-        ("drift_of_rates", number(constants.drift * largest(nq))),
+        ("drift", number(drift * largest(0))),
+        ("drift_of_rates", number(drift * largest(nq))),
         ("iterations", constants.iterations.to_string()),
         ("length", number(length)),
         ("epsilon", number(S::EPSILON)),

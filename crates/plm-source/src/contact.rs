@@ -6,7 +6,7 @@ use plm_compiler::Source;
 use plm_compiler::lowered::{
     ContactChart, ContactKind, Contacts, Impacts, OfRows, Operation, Routine, RowTerm, Target,
 };
-use plm_runtime::{MoreauJean, Real};
+use plm_runtime::{MoreauJean, Real, events};
 
 use crate::Precision;
 use crate::absolute;
@@ -347,7 +347,7 @@ fn numbers_of<S: Real>(plan: &Plan) -> Vec<(&'static str, String)> {
         ("no_bound", number(constants.no_bound)),
         ("balance", number(constants.balance)),
         ("led_back", number(constants.led_back)),
-        ("sunk", number(constants.sunk * typical)),
+        ("sunk", number(S::lit(events::SUNK) * typical)),
         ("swept", format!("{:e}", constants.swept)),
     ]
 }

@@ -10,6 +10,7 @@ mod compile;
 mod derive;
 pub mod diag;
 mod emit;
+mod evaluated;
 mod facts;
 mod fallback;
 mod formulate;

@@ -3,7 +3,6 @@
 use super::project::ITERATIONS;
 use super::redundancy::fractions;
 use crate::scalar::Real;
-use crate::step::DRIFT;
 use crate::tolerances::{
     DESCENTS, LOOKS, LOW, MOST_LOOKS, REFERENCE_POSES, closed, compared_apart, ill_conditioned, long_step,
 };
@@ -11,8 +10,6 @@ use crate::tolerances::{
 /// Tolerances of projection and of singular poses in a scalar type.
 #[derive(Clone, Copy, Debug)]
 pub struct Constants<S> {
-    /// Drift that is projected, as a fraction of the typical coordinate and velocity.
-    pub drift: S,
     /// Residual of joints that count as closed, as a fraction of the size.
     pub closed: S,
     /// Most corrections of a projection.
@@ -35,7 +32,6 @@ impl<S: Real> Constants<S> {
     /// Those of the type.
     pub fn new() -> Self {
         Self {
-            drift: S::lit(DRIFT).max(S::lit(64.0) * S::EPSILON),
             closed: closed(),
             iterations: ITERATIONS,
             low: LOW.of(),

@@ -6,7 +6,6 @@ use super::event::CLOSED;
 use super::multipliers::ROUNDED;
 use super::stepping::{CARRIED, DEPENDENT, NO_SLIP, ROUNDING};
 use super::{bounds, sunk};
-use crate::events::SUNK;
 use crate::scalar::Real;
 
 /// The tolerances of time steps and of multipliers in a scalar type, for a mechanism of a length.
@@ -24,8 +23,6 @@ pub struct Constants<S> {
     pub closed: S,
     /// Gap up to which a constraint that begins to exist is led back, m or rad.
     pub led_back: S,
-    /// Depth below which a point counts as led below a surface by a step, as a fraction of the largest coordinate.
-    pub sunk: S,
     /// Gain of an impact, as a fraction of the energy that it turns over, up to which it is rounding.
     pub gain: S,
     /// Bound of friction that is rounding, as a fraction of the force that would hold the row.
@@ -47,7 +44,6 @@ impl<S: Real> Constants<S> {
             no_slip: S::lit(NO_SLIP).max(S::lit(64.0) * S::EPSILON),
             closed: S::lit(CLOSED) * length,
             led_back: S::lit(sunk::ROUNDED) * length,
-            sunk: S::lit(SUNK),
             gain: S::lit(GAIN).max(S::lit(64.0) * S::EPSILON),
             no_bound: S::lit(bounds::ROUNDING),
             balance: S::lit(BALANCE_ULPS * S::PRECISION),

@@ -11,7 +11,7 @@ use crate::system::System;
 use crate::vector::Vector;
 
 /// Depth, as a fraction of the length of the mechanism, above which a negative gap is a penetration: events are located more accurately.
-pub(crate) const SUNK: f64 = 1e-9;
+pub const SUNK: f64 = 1e-9;
 
 /// Commits the events of all conditions whose guards are past their bands at the state `x`; returns their number.
 ///

@@ -16,7 +16,8 @@ use super::placed::{nearer, unwind};
 use super::rank::Rank;
 use super::scene::Scene;
 use super::search::{Search, Searched, search};
-use super::values::{add_switches, value};
+use super::values::add_switches;
+use crate::evaluated::value;
 use crate::model::{Body, Model};
 
 /// Largest `phi` of an assembled mechanism: of a row in m as a part of the size of the scene, of one in rad as it is.

@@ -6,7 +6,7 @@ use plm_math::f64::{atan2, sin_cos};
 use super::assembly::Start;
 use super::constraints::Closed;
 use super::scene::Scene;
-use super::values::value;
+use crate::evaluated::value;
 use crate::model::Turn;
 
 /// A sine below this is that of a flat loop, where both images meet.

@@ -6,7 +6,7 @@ use plm_cas::{Tape, algebra};
 use super::pseudo_inverse;
 use super::rank::{Rank, Row, rank, rank_within};
 use super::scene::Scene;
-use super::values::run;
+use crate::evaluated::run;
 use crate::formulate::Function;
 
 /// Newton steps before assembly is given up; a start in reach needs four to eight.

@@ -18,6 +18,7 @@ mod scene;
 mod search;
 mod values;
 
+pub(crate) use crate::evaluated::{run, value, values};
 pub(crate) use assembly::{Assembly, Reach, assemble, at_start};
 pub(crate) use branch::asked;
 pub(crate) use change_point::ChangePoint;
@@ -27,4 +28,4 @@ pub(crate) use random::Random;
 pub(crate) use rank::{Row, rank};
 pub(crate) use scene::Scene;
 pub(crate) use search::Searched;
-pub(crate) use values::{add_switches, defaults, run, value, values, varied};
+pub(crate) use values::{add_switches, defaults, varied};

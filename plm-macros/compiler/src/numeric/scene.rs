@@ -2,9 +2,10 @@
 
 use plm_cas::Expr;
 
-use super::values::{defaults, value};
+use super::values::defaults;
 use crate::collect::PushAll;
 use crate::derive::Equations;
+use crate::evaluated::value;
 use crate::formulate::Absolute;
 use crate::model::Model;
 

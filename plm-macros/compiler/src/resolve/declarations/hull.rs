@@ -111,7 +111,7 @@ mod tests {
 
     use super::{corners, rounded};
     use crate::collect::CollectVec;
-    use crate::numeric::value;
+    use crate::evaluated::value;
     use crate::resolve::declarations::plate::Moments;
 
     /// A number between -1 and 1, of a seed; half of them are special.

@@ -15,8 +15,8 @@ use plm_cas::{Expr, Number};
 
 use crate::collect::{CollectVec, MapEach};
 use crate::diag::Code;
+use crate::evaluated;
 use crate::model::FrameRef;
-use crate::numeric;
 use crate::resolve::Resolver;
 use crate::resolve::declarations::hull::{corners, rounded};
 use crate::resolve::values::{Eval, Failed, Reads, all};
@@ -153,7 +153,7 @@ impl Resolver<'_> {
         let ((width, _), ports) = (width?, ports?);
         // Which ports are corners is a question of numbers: the declared ones of parameters decide.
         let declared = self.declared_values();
-        let numbers = ports.iter().map(|at| at.components().map_each(|x| numeric::value(x, &declared)));
+        let numbers = ports.iter().map(|at| at.components().map_each(|x| evaluated::value(x, &declared)));
         let hull = corners(&numbers.collect_vec()).into_iter().map(|corner| ports[corner]).collect_vec();
         let origin = hull[0];
         Ok((origin, rounded(&hull, width / Expr::from(2), origin)))

@@ -15,8 +15,8 @@ use plm_cas::algebra::{self, Vec2};
 use plm_cas::{Expr, Graph};
 
 use crate::diag::Code;
+use crate::evaluated;
 use crate::model::{Body, Decisions, FrameRef, Impacts, Input, Model, Name, Param, Port, Row, Start};
-use crate::numeric;
 use crate::resolve::Resolver;
 use crate::resolve::declarations::body::assumed_mass;
 use crate::resolve::declarations::declare::UnresolvedField;
@@ -154,7 +154,7 @@ impl<'a> Resolver<'a> {
         let mut values = Vec::new();
         for (symbol, default) in self.defaults().unwrap_or_default() {
             if let Ok(default) = default {
-                values.push((symbol, numeric::value(default, &values)));
+                values.push((symbol, evaluated::value(default, &values)));
             }
         }
         values
