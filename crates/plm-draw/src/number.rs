@@ -117,7 +117,7 @@ pub(crate) fn rounded(value: f64, step: f64) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// The step of the decimals that [`rounded`] writes of a value in a unit of this factor, SI.
+/// The step of the decimals that `rounded` writes of a value in a unit of this factor, SI.
 pub fn decimal_step(step: f64, factor: f64) -> f64 {
     let digits = (-(step / factor).log10()).ceil().clamp(0.0, f64::from(MOST_DIGITS));
     factor * 10_f64.powf(-digits)
