@@ -37,7 +37,7 @@ pub(crate) fn thing(sheet: &Sheet<'_>, from: &str, to: &str) -> Result<Vec<Edit>
 /// The edits that give a port another name.
 ///
 /// # Errors
-/// As of a thing.
+/// Those of the name of a thing.
 pub(crate) fn port(sheet: &Sheet<'_>, from: &PortName, to: &str) -> Result<Vec<Edit>, Refusal> {
     check(sheet, to)?;
     let mut places: Vec<&Ident> = Vec::new();

@@ -251,7 +251,7 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
          problem.kinetic[i][k].own = @p@_at(problem.kinetic[i][k].own, problem.kinetic[i][k].by, back);\n                \
          problem.adhesion[i][k].own = @p@_at(problem.adhesion[i][k].own, problem.adhesion[i][k].by, back);\n            }\n";
     let joined = "    if (@p@_drifts(self, self->time + h, x)) {\n        i = @p@_project(self, self->time + h, x);\n        \
-        if (i != PLM_OK) {\n            *part = 6 - @first_row@;\n            return i;\n        }\n    }\n";
+        if (i != PLM_OK) {\n            *part = @part_open@ - @first_row@;\n            return i;\n        }\n    }\n";
     let law = if contacts.impacts == Impacts::Newton { NEWTON } else { POISSON };
     let exists = match &contacts.exist {
         Some(_) => {

@@ -26,7 +26,8 @@ mod template;
 
 use std::fmt;
 
-use plm_dynamic::{Error, Mechanism};
+use plm_dynamic::{Error, Mechanism, Steps};
+use plm_runtime::Fault;
 
 pub use self::fmu::{Fmu, fmu};
 pub use self::plan::Refused;
@@ -84,6 +85,14 @@ const MATH: &str = include_str!("c/plm_math.h");
 /// [`Failure::Start`], where it cannot be assembled; [`Failure::Refused`].
 pub fn c(mechanism: &Mechanism, precision: Precision) -> Result<Vec<File>, Failure> {
     printed(mechanism, precision).map(Vec::from)
+}
+
+/// Makes the step of a source by text, of `h`, s: over rows of contact that of Moreau and Jean, else that of Runge and Kutta.
+///
+/// # Errors
+/// Those of the step; the mechanism stays as it was.
+pub fn step(steps: &mut Steps, mechanism: &Mechanism, h: f64) -> Result<(), Fault> {
+    if mechanism.lowered().contacts.is_some() { steps.step_moreau_jean(h).map(|_| ()) } else { steps.step(h) }
 }
 
 /// The header, the source and `plm_math.h`.

@@ -3,6 +3,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where something is missing")]
 
+#[path = "support/scenes.rs"]
+mod scenes;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,10 +13,11 @@ use std::process::Command;
 
 use plm_dynamic::{Integrator, Mechanism};
 use plm_source::{Failure, Interfaces, Version, fmu};
+use scenes::scenes;
 
 /// A mechanism, and how it is looked at.
 struct Case {
-    name: &'static str,
+    name: String,
     mechanism: Mechanism,
     /// Parameters and inputs, SI.
     values: &'static [(&'static str, f64)],
@@ -21,6 +25,8 @@ struct Case {
     tolerance: f64,
     /// A word of the message with which steps end; none where they do not.
     failure: &'static str,
+    /// The interfaces that it has.
+    interfaces: Interfaces,
 }
 
 /// With all that a description tells: parameters, one of which moves the start, inputs, first-order states, units for display.
@@ -60,10 +66,22 @@ fn snapshot(name: &str) -> Mechanism {
 }
 
 fn cases() -> Vec<Case> {
-    let case =
-        |name, mechanism, values, tolerance, failure| Case { name, mechanism, values, tolerance, failure };
+    let case = |name: &str, mechanism, values, tolerance, failure| Case {
+        name: name.to_owned(),
+        mechanism,
+        values,
+        tolerance,
+        failure,
+        interfaces: Interfaces::Both,
+    };
     let of_snapshot = |name, tolerance, failure| case(name, snapshot(name), &[], tolerance, failure);
-    vec![
+    // Contact, and joints that are projected: a solver's steps have neither.
+    let stepped = |(name, mechanism): (String, Mechanism)| Case {
+        interfaces: Interfaces::CoSimulation,
+        ..case(&name, mechanism, &[], 0.0, "")
+    };
+    let scenes = scenes().into_iter().chain([("slider_crank".to_owned(), snapshot("slider_crank"))]);
+    let both = vec![
         of_snapshot("four_bar", 1e-6, ""),
         // Small differences grow.
         of_snapshot("double_pendulum", 1e-6, ""),
@@ -74,7 +92,8 @@ fn cases() -> Vec<Case> {
         of_snapshot("arm_on_jack", 1e-6, "above_vacuum"),
         case("driven", Mechanism::from_text(DRIVEN).unwrap(), &[("friction", 0.3), ("order", 2.0)], 1e-6, ""),
         case("clocked", Mechanism::from_text(CLOCKED).unwrap(), &[("until", 0.55), ("push", 4.0)], 1e-6, ""),
-    ]
+    ];
+    both.into_iter().chain(scenes.map(stepped)).collect()
 }
 
 const H: f64 = 1e-3;
@@ -93,7 +112,7 @@ fn of_steps(mechanism: &Mechanism) -> String {
     let outputs: Vec<usize> = outputs(mechanism).map(|(k, _)| k).collect();
     let mut text = String::new();
     for row in 0..=ROWS {
-        if row > 0 && (0..EVERY).any(|_| run.step(H).is_err()) {
+        if row > 0 && (0..EVERY).any(|_| plm_source::step(&mut run, mechanism, H).is_err()) {
             break;
         }
         let values = outputs.iter().map(|output| run.output(*output).unwrap());
@@ -127,7 +146,7 @@ fn folder(name: &str) -> PathBuf {
 #[test]
 fn importers_have_the_bits_of_steps_and_come_near_to_runs() {
     let Some(python) = python() else { return };
-    for Case { name, mut mechanism, values, tolerance, failure } in cases() {
+    for Case { name, mut mechanism, values, tolerance, failure, interfaces } in cases() {
         let plain = mechanism.clone();
         for (name, value) in values {
             mechanism.set_parameter(name, *value).or_else(|_| mechanism.set_input(name, *value)).unwrap();
@@ -136,11 +155,13 @@ fn importers_have_the_bits_of_steps_and_come_near_to_runs() {
         fs::create_dir_all(folder("")).unwrap();
         let rows = of_steps(&mechanism);
         let count = rows.lines().count();
-        fs::write(&run, of_run(&mechanism, count)).unwrap();
+        if interfaces.exchange() {
+            fs::write(&run, of_run(&mechanism, count)).unwrap();
+        }
         fs::write(&steps, rows).unwrap();
         for (version, number) in [(Version::Two, 2), (Version::Three, 3)] {
             let made = fmu(&plain, version, None).unwrap();
-            assert_eq!(made.interfaces, Interfaces::Both, "{name}");
+            assert_eq!(made.interfaces, interfaces, "{name}");
             let folder = folder(&format!("{name}{number}"));
             let _ = fs::remove_dir_all(&folder);
             for file in &made.files {
@@ -173,7 +194,7 @@ fn what_model_exchange_does_not_have_is_refused_by_name() {
     assert!(all.iter().any(|refused| refused.part == "drive"), "{all:?}");
 }
 
-/// Interfaces that are not wanted are neither described nor compiled.
+/// Interfaces that are not wanted are not described, and nothing of them is computed.
 #[test]
 fn an_fmu_has_the_interfaces_that_are_wanted() {
     for (wanted, own, other) in [
@@ -191,8 +212,12 @@ fn an_fmu_has_the_interfaces_that_are_wanted() {
             };
             let described = text("modelDescription.xml");
             assert!(described.contains(own) && !described.contains(other), "{described}");
-            let has_steps = text("_fmi.c").contains("DoStep(fmi");
-            assert_eq!(has_steps, wanted.co_simulation());
+            // Functions of the other one are there in 3.0 alone, and do nothing.
+            for (function, is_there) in
+                [("_fmu_step(", wanted.co_simulation()), ("_fmu_rates(", wanted.exchange())]
+            {
+                assert_eq!(text("_fmi.c").contains(function), is_there, "{function}");
+            }
             assert_eq!(described.contains("plm(step)"), wanted.co_simulation());
             assert!(!text("_fmi.c").contains('@'), "a word of a template is left");
         }

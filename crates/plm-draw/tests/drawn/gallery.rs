@@ -45,7 +45,7 @@ impl Case<'_> {
         draw(self.sheet, self.picture, &Gesture::Drag(drag)).ok()
     }
 
-    /// What is wrong with the edits by themselves.
+    /// Asserts that the edits can be undone, and change no other number.
     fn check(&self, drawn: &Drawn) {
         let Case { machine, text, handle, .. } = self;
         let what = format!("{machine} {} to {:?}", handle.name, self.to);

@@ -1,4 +1,4 @@
-//! What gestures make of texts.
+//! Texts after gestures.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod gallery;

@@ -8,7 +8,7 @@ use plm_compiler::token::Sources;
 use plm_draw::lexer::tokens;
 use plm_draw::{Picture, Placed, PortName};
 
-/// What the compiler makes of a text.
+/// A text, compiled.
 pub(crate) struct Compiled {
     /// Its ports at the assembled start; none where there is no mechanism.
     pub(crate) picture: Option<Picture>,

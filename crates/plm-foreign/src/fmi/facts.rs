@@ -60,9 +60,9 @@ pub struct Parameter {
 /// How an FMU is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Code<'a> {
-    /// As a library of compiled code.
+    /// A library of compiled code.
     Compiled,
-    /// As C source, in these files.
+    /// C source, in these files.
     Source(&'a [&'a str]),
 }
 

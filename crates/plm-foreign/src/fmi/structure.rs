@@ -35,8 +35,8 @@ pub(super) fn structure(version: Version, facts: &Facts, to: &mut impl Write) ->
     };
     let is_output = |variable| matches!(variable, Variable::Output(k) if facts.output(k).is_some());
     let is_rate = |variable| matches!(variable, Variable::Rate(_));
-    let at_start =
-        |variable| is_output(variable) || is_rate(variable) || matches!(variable, Variable::State(_));
+    let is_state = |variable| matches!(variable, Variable::State(_)) && has_rates(facts);
+    let at_start = |variable| is_output(variable) || is_rate(variable) || is_state(variable);
     each(version.pick("Outputs", "Output"), &is_output)?;
     each(version.pick("Derivatives", "ContinuousStateDerivative"), &is_rate)?;
     each(version.pick("InitialUnknowns", "InitialUnknown"), &at_start)?;
@@ -78,6 +78,11 @@ fn row<'a>(unknown: Variable, facts: &Facts<'a>) -> Option<&'a Reads> {
     facts.tables.reads.get(row)?.as_ref()
 }
 
+/// Has it the rates of its states? Without them states are no continuous states of the standard, which others depend on.
+fn has_rates(facts: &Facts) -> bool {
+    facts.variables.iter().any(|variable| matches!(variable, Variable::Rate(_)))
+}
+
 /// Parameters may be in everything: poses depend on lengths.
 fn is_read(reads: &Reads, known: Variable, facts: &Facts) -> bool {
     let (coordinates, first) = (facts.coordinates, 2 * facts.coordinates);
@@ -85,6 +90,7 @@ fn is_read(reads: &Reads, known: Variable, facts: &Facts) -> bool {
         Variable::Time => reads.time,
         Variable::Parameter(k) => facts.parameters.get(k).is_some_and(|own| !own.is_constant),
         Variable::Input(k) => reads.inputs.contains(&k),
+        Variable::State(_) if !has_rates(facts) => false,
         Variable::State(k) if k < coordinates => reads.motion >= Motion::Poses,
         Variable::State(k) if k < first => reads.motion == Motion::Velocities,
         Variable::State(k) => reads.states.contains(&(k - first)),

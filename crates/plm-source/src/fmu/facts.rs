@@ -29,7 +29,7 @@ pub(super) fn facts<'a>(
         (Variable::Input, plan.start.inputs.len()),
         (Variable::Output, observed.len()),
         (Variable::State, counts.states),
-        (Variable::Rate, counts.states),
+        (Variable::Rate, if plan.has_own_rate() { counts.states } else { 0 }),
         (Variable::Indicator, indicators),
         (|_| Variable::Step, usize::from(interfaces.co_simulation())),
     ];

@@ -29,12 +29,20 @@ const THREE: [&str; 4] = [
     include_str!("three_step.c.txt"),
 ];
 
+/// The functions of 3.0 of an interface that is not there.
+const NO_EXCHANGE: &str = include_str!("three_no_exchange.c.txt");
+const NO_STEPS: &str = include_str!("three_no_step.c.txt");
+
 /// The functions, which follow those of the source in one file.
 pub(super) fn functions(plan: &Plan, version: Version, facts: &Facts, mark: u64) -> String {
     let [begin, common, of_exchange, of_steps] = if version == Version::Two { TWO } else { THREE };
     let (exchange, steps) = (facts.interfaces.exchange(), facts.interfaces.co_simulation());
     let only = |wanted: bool, text: &str| if wanted { text.to_owned() } else { String::new() };
-    let text = [begin, VALUES, common, &only(exchange, of_exchange), &only(steps, of_steps)].concat();
+    let [without_exchange, without_steps] =
+        if version == Version::Two { [""; 2] } else { [NO_EXCHANGE, NO_STEPS] };
+    let of_exchange = if exchange { of_exchange } else { without_exchange };
+    let of_steps = if steps { of_steps } else { without_steps };
+    let text = [begin, VALUES, common, of_exchange, of_steps].concat();
     let mut words = vec![
         ("exchange", only(exchange, EXCHANGE)),
         ("co_simulation", only(steps, STEP)),

@@ -5,8 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use plm_dynamic::{Mechanism, Steps};
-use plm_runtime::Fault;
+use plm_dynamic::Mechanism;
 use plm_source::{Failure, Precision};
 
 /// A run of a source: who compiles it, in what numbers, and its steps.
@@ -145,7 +144,7 @@ pub(crate) fn expected(mechanism: &Mechanism, h: f64, count: usize) -> Result<Ve
     let mut lines = Vec::new();
     for k in 0..=count {
         if k > 0
-            && let Err(fault) = step(&mut run, mechanism, h)
+            && let Err(fault) = plm_source::step(&mut run, mechanism, h)
         {
             lines.push(format!("failed {fault}"));
             break;
@@ -160,11 +159,6 @@ pub(crate) fn expected(mechanism: &Mechanism, h: f64, count: usize) -> Result<Ve
         lines.push(line.trim_end().to_owned());
     }
     Ok(lines)
-}
-
-/// The step that a source has: over rows of contact that of Moreau and Jean.
-fn step(run: &mut Steps, mechanism: &Mechanism, h: f64) -> Result<(), Fault> {
-    if mechanism.lowered().contacts.is_some() { run.step_moreau_jean(h).map(|_| ()) } else { run.step(h) }
 }
 
 /// Compares lines of a source with those of text: how many steps are the same to the end of both, or where they differ. What C leaves

@@ -1,5 +1,6 @@
 //! Values of expressions of the language.
 
+mod allowed;
 mod call;
 pub(super) mod condition;
 mod direction;
