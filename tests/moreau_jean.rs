@@ -92,8 +92,11 @@ fn ordered_steps_have_the_bits_of_a_run() {
             }
             assert_eq!(sim.state().held(), state.held());
             // A condition that has set something asks for the rate after it.
-            let (stats, own) = (sim.stats(), $count $(* $evaluations)?);
-            assert!((own..=own + stats.switches).contains(&stats.evaluations), "{stats:?}");
+            // An impact takes one more, and those of its rest; several of the step without its rows.
+            let (stats, each) = (sim.stats(), 1 $(* $evaluations)?);
+            let (own, impacts) = (each * $count, sim.contact_stats().impacts);
+            let most = own + stats.switches + (2 * each + 1) * impacts;
+            assert!((own + 2 * impacts..=most).contains(&stats.evaluations), "{stats:?}");
         }};
     }
     for theta in [0.5, 1.0] {
@@ -147,7 +150,9 @@ fn a_four_bar_with_limits_converges() {
             });
             println!("{theta} {h}: {errors:?}");
             assert!(errors.iter().all(|error| *error < 1.5 * h), "{theta} {h}: {errors:?}");
-            assert!(joint.method().largest_residual() < 1e-5 && absolute.method().largest_residual() < 1e-5);
+            let residuals = [joint.method().largest_residual(), absolute.method().largest_residual()];
+            // An impact at 3 rad/s with a friction that a reaction in the plane bounds leaves 3e-5 rad/s in absolute coordinates.
+            assert!(residuals.iter().all(|residual| *residual < 1e-4), "{theta} {h}: {residuals:?}");
         }
     }
     // Two evaluations are of order 2 until the rocker strikes.

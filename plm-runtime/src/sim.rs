@@ -221,7 +221,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let (system, held, x) = (state.mechanism(), state.held(), *state.x());
         let mut context = Context::new((system, held), (time, x), end, (stats, longest_step));
         let guarded = Guarded { detector, history, limits: *limits };
-        let mut advance = Advance { method, context: &mut context, guarded, observer };
+        let mut advance = Advance { method, context: &mut context, guarded, observer, cut: None };
         let outcome = advance.run_to(end);
         let (time, held, x) = (context.time, context.held, context.x);
         state.set(time, &held, &x);

@@ -3,9 +3,7 @@
 use std::fmt::Write as _;
 
 use plm_compiler::Source;
-use plm_compiler::lowered::{
-    ContactChart, ContactKind, Contacts, Impacts, OfRows, Operation, Routine, RowTerm, Target,
-};
+use plm_compiler::lowered::{ContactChart, ContactKind, Contacts, Impacts, OfRows, Routine, RowTerm, Target};
 use plm_runtime::{MoreauJean, Real, events};
 
 use crate::Precision;
@@ -20,6 +18,7 @@ const ROWS: &str = include_str!("c/contact/rows.c.txt");
 const LOADS: &str = include_str!("c/contact/loads.c.txt");
 const STEP: &str = include_str!("c/contact/step.c.txt");
 const IMPACTS: &str = include_str!("c/contact/impacts.c.txt");
+const SPLIT: &str = include_str!("c/contact/split.c.txt");
 const NEWTON: &str = include_str!("c/contact/newton.c.txt");
 const POISSON: &str = include_str!("c/contact/poisson.c.txt");
 const FASTEST: &str = include_str!("c/contact/fastest.c.txt");
@@ -84,12 +83,9 @@ fn restitutions(plan: &Plan, contacts: &Contacts) -> (Block, Vec<(Target, Value)
     (block, results)
 }
 
-/// May a row strike? Where all coefficients of restitution are the number zero, none does.
+/// May a row strike?
 fn strikes(contacts: &Contacts) -> bool {
-    let is_zero = |routine: &Routine| {
-        routine.steps.iter().all(|step| matches!(step.operation, Operation::Number(number) if number == 0.0))
-    };
-    contacts.rows.iter().any(|row| row.kind == ContactKind::Unilateral && !is_zero(&row.restitution))
+    contacts.rows.iter().any(|row| row.kind == ContactKind::Unilateral)
 }
 
 /// The routine of the motion and the rows in a chart: the place of each of its results, and the value.
@@ -242,7 +238,13 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
     let rubs = contacts.rows.iter().any(|row| row.kind == ContactKind::Friction);
     let sequential = contacts.impacts == Impacts::Sequential;
     let look = "    i = @p@_negative_bound(exists, &motion.rows);\n    if (i >= 0) {\n        *part = i;\n        return PLM_PARAMETER_VALUE;\n    }\n";
-    let strike = "    i = @p@_strike(self, h, exists, &motion, x, &residual, part);\n    if (i != PLM_OK) {\n        return i;\n    }\n";
+    let here = look.replace("&motion.", "&motion->");
+    let free = "    for (i = 0; i < @places@; i++) {\n        free[i] = motion.rows.free[i];\n    }\n";
+    let strike = "    if (@p@_strikes(h, free, exists, &motion.rows, solved, strikes)) {\n        \
+         i = @p@_split(self, &h, strikes, exists, free, &motion, &t, x, solved, &residual, health, part);\n        \
+         if (i != PLM_OK) {\n            return i;\n        }\n        rest = @theta@ * h;\n        ahead = h - rest;\n        \
+         @p@_over_step(self, h, rule, &motion.rows, guess, slack);\n        \
+         @p@_complement(&motion.rows, rule, guess, solved);\n    }\n    (void)ahead;\n    (void)t;\n";
     let forced = "    {\n        plm_real dx[@states@];\n        (void)@p@_rate_in(self, t, x, solved->force, dx);\n        \
          for (i = 2 * @nq@; i < @n@; i++) {\n            motion.dx[i] = dx[i];\n        }\n    }\n";
     // Impulses of frictions have no bound of their own.
@@ -250,7 +252,9 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
     let expansion = "            for (k = 0; (k < 2) && (@p@_law[i] == @up@_FRICTION); k++) {\n                \
          problem.kinetic[i][k].own = @p@_at(problem.kinetic[i][k].own, problem.kinetic[i][k].by, back);\n                \
          problem.adhesion[i][k].own = @p@_at(problem.adhesion[i][k].own, problem.adhesion[i][k].by, back);\n            }\n";
-    let joined = "    if (@p@_drifts(self, self->time + h, x)) {\n        i = @p@_project(self, self->time + h, x);\n        \
+    let forced_here =
+        forced.replace("motion.", "motion->").replace("self, t, x", "self, self->time + ahead, x");
+    let joined = "    if (@p@_drifts(self, end, x)) {\n        i = @p@_project(self, end, x);\n        \
         if (i != PLM_OK) {\n            *part = @part_open@ - @first_row@;\n            return i;\n        }\n    }\n";
     let law = if contacts.impacts == Impacts::Newton { NEWTON } else { POISSON };
     let exists = match &contacts.exist {
@@ -269,6 +273,11 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
         ("impacts", where_wanted(strikes, IMPACTS)),
         ("impact_law", law.to_owned()),
         ("strike", where_wanted(strikes, strike)),
+        ("split", where_wanted(strikes, SPLIT)),
+        ("free", where_wanted(strikes, free)),
+        ("look_at_signs_here", where_wanted(rubs, &here)),
+        ("with_forces_here", where_wanted(!contacts.is_affine, &forced_here)),
+        ("end", end(plan, strikes)),
         ("with_forces", where_wanted(!contacts.is_affine, forced)),
         ("without_own_bounds", where_wanted(rubs, own)),
         ("expansion_of_bounds", where_wanted(rubs, expansion)),
@@ -278,6 +287,12 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
         ("exists", exists.to_owned()),
         ("first_row", plan.first_row().to_string()),
     ]
+}
+
+/// Declarations of a step that not every mechanism needs.
+fn end(plan: &Plan, strikes: bool) -> String {
+    let end = where_wanted(plan.projects(), "    const plm_real end = self->time + h;\n");
+    end + &where_wanted(strikes, "    plm_real free[@places@];\n    int strikes[@places@];\n")
 }
 
 /// Tables of the rows, by number.
@@ -343,6 +358,7 @@ fn numbers_of<S: Real>(plan: &Plan) -> Vec<(&'static str, String)> {
         ("rounding", number(constants.rounding)),
         ("no_slip", number(constants.no_slip)),
         ("closed", number(constants.closed)),
+        ("tail", number(constants.tail)),
         ("gain", number(constants.gain)),
         ("no_bound", number(constants.no_bound)),
         ("balance", number(constants.balance)),

@@ -4,7 +4,7 @@ use super::BALANCE_ULPS;
 use super::booked::GAIN;
 use super::event::CLOSED;
 use super::multipliers::ROUNDED;
-use super::stepping::{CARRIED, DEPENDENT, NO_SLIP, ROUNDING};
+use super::stepping::{CARRIED, DEPENDENT, NO_SLIP, ROUNDING, tail};
 use super::{bounds, sunk};
 use crate::scalar::Real;
 
@@ -19,6 +19,8 @@ pub struct Constants<S> {
     pub rounding: S,
     /// Rate, as a fraction of the change by accelerations in a step, below which a friction is assumed to stick at first.
     pub no_slip: S,
+    /// Shortest rest of a step after an impact, as a fraction of the step.
+    pub tail: S,
     /// Gap below which a row is closed, m or rad.
     pub closed: S,
     /// Gap up to which a constraint that begins to exist is led back, m or rad.
@@ -42,6 +44,7 @@ impl<S: Real> Constants<S> {
             carried: S::lit(CARRIED),
             rounding,
             no_slip: S::lit(NO_SLIP).max(S::lit(64.0) * S::EPSILON),
+            tail: tail(),
             closed: S::lit(CLOSED) * length,
             led_back: S::lit(sunk::ROUNDED) * length,
             gain: S::lit(GAIN).max(S::lit(64.0) * S::EPSILON),

@@ -146,6 +146,9 @@ impl<S, const N: usize> Modal<S, N> for Modes<S, N> {
     fn modes_mut(&mut self) -> &mut Self {
         self
     }
+    fn status(&self) -> Status<'_> {
+        Status { modes: &self.of, carried: &self.carried, ..Status::default() }
+    }
 }
 
 impl<S, const N: usize> Modal<S, N> for Held<S, N> {

@@ -1,15 +1,19 @@
 //! Guards over fixed steps, which events do not end: conditions that come and go within one are counted as missed.
 
 use super::relevant::{Relevant, bit};
+use super::root::{Point, root};
 use super::search::{Found, Search};
 use super::{Beginning, History};
 use super::{Detector, Event, guards_here};
-use crate::contact::{Change, guard_count};
+use crate::contact::{Change, Mode, guard_count};
 use crate::fault::Fault;
 use crate::method::{Context, Method, Path};
 use crate::scalar::Real;
 use crate::system::{Step, System};
 use crate::vector::Vector;
+
+/// Error of the time at which a row changes its mode, as a fraction of a step.
+const CHANGING: f64 = 1e-9;
 
 impl<S: Real, G: Vector<S>> Detector<S, G> {
     /// True if a fixed step stays in the known guard-free region.
@@ -52,6 +56,39 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         }
         guards_here(context)?;
         Ok(Event::Behind { missed: self.missed(context, start) })
+    }
+
+    /// Fraction of a step without dense output at which the first row of contact leaves its mode: a gap closes or opens, a slip ends or
+    /// begins; none if none does.
+    pub(crate) fn changes_mode<M: System<S = S, G = G>>(
+        &self,
+        context: &Context<'_, M>,
+        start: &Beginning<M>,
+    ) -> Option<S> {
+        let Context { system, time, held, x, .. } = *context;
+        // What an event has left of a violated guard is its new zero.
+        let over = |guards: &G, index: usize| guards.at(index) - self.residual.at(index);
+        let at_end = super::guards(system, time, &held, &x);
+        // Forces pass a pole where contact has no unique acceleration, the last guard: there is no mode beyond it.
+        let is_unique = over(&at_end, system.guard_count().checked_sub(1)?) >= S::ZERO;
+        if !is_unique {
+            return None;
+        }
+        let has_mode = |row: &usize| M::contacts(&held).mode(*row).is_some_and(|mode| mode != Mode::Off);
+        let rows = (0..system.contact_count()).filter(has_mode).map(|row| system.guard_of_row(&held, row));
+        let guards = rows.flat_map(|first| [first, first + 1]);
+        let mut sinking = guards.filter(|index| over(&at_end, *index) < S::ZERO).peekable();
+        sinking.peek()?;
+        let at_start = super::guards(system, start.time, &held, &start.x);
+        let path = Path::between((start.time, &start.x), (time, &x), M::NQ);
+        let share = |index: usize| {
+            let mut guard =
+                |share: S| over(&super::guards(system, path.time(share), &held, &path.at(share)), index);
+            let [from, to] = [(S::ZERO, &at_start), (S::lit(1.0), &at_end)]
+                .map(|(at, guards)| Point { at, value: over(guards, index) });
+            if from.value > S::ZERO { root(from, to, S::lit(CHANGING), &mut guard) } else { S::ZERO }
+        };
+        sinking.map(share).reduce(S::min)
     }
 
     /// Conditions that came and went within a step without dense output: one of them (that ends the run, or else the

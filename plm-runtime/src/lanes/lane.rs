@@ -77,7 +77,13 @@ impl<'a, M: Pack<S = f64>, I: Method<M>> Lane<'a, M, I> {
     /// The lane as a run.
     fn advance<'s>(&'s mut self, observer: &'s mut Unobserved) -> Advance<'s, 'a, M, I, Unobserved> {
         let Self { context, method, detector, history, limits, .. } = self;
-        Advance { method, context, guarded: Guarded { detector, history, limits: *limits }, observer }
+        Advance {
+            method,
+            context,
+            guarded: Guarded { detector, history, limits: *limits },
+            observer,
+            cut: None,
+        }
     }
 }
 

@@ -16,8 +16,9 @@ use crate::words::{InWords, Words};
 ///
 /// Forces, masses and rows are evaluated at one intermediate place, `q + (1 - theta) h v`, with the velocity at the beginning of the step.
 /// With more `EVALUATIONS` than one ([`with_evaluations`](Self::with_evaluations)), each further one is there with the velocity that the
-/// one before predicts: two and `theta = 1/2` are of order 2 between impacts and changes of modes, for all forces. The impulses of all
-/// contact rows over the step are one contact problem, which takes a bounded number of rounds; no event of a row is searched. Sticking
+/// one before predicts: two and `theta = 1/2` are of order 2 between changes of modes, for all forces. The impulses of all contact rows
+/// over the step are one contact problem, which takes a bounded number of rounds; no event of a row is searched. A step in which a gap closes
+/// with a rate is split once, at the impact, which takes place at its share of the step. Sticking
 /// frictions stay in their places, and closed gaps do not penetrate ([`contact`](crate::contact), [`Stride`]). Conditions, and events by
 /// `when`, switch at the end of the step.
 ///
@@ -56,7 +57,7 @@ impl<S: Real, const EVALUATIONS: usize> MoreauJean<S, EVALUATIONS> {
         Self { longest_step, theta, tolerance, partition, residual, largest_residual: residual }
     }
 
-    /// This method with so many evaluations of the equations of motion in a step, one or more: two make it of order 2 between impacts.
+    /// This method with so many evaluations of the equations of motion in a step, one or more: two make it of order 2 between changes of modes.
     #[must_use]
     pub fn with_evaluations<const COUNT: usize>(self) -> MoreauJean<S, COUNT> {
         const { assert!(COUNT > 0, "a step of `MoreauJean` takes one evaluation or more") }
@@ -98,8 +99,8 @@ impl<S: Real, const EVALUATIONS: usize> MoreauJean<S, EVALUATIONS> {
         made: &Result<Solution<S>, Fault>,
         next: M::X,
     ) -> Result<(), Fault> {
-        let Solution { residual, health, .. } = (*made)?;
-        context.stats.evaluations += EVALUATIONS as u64;
+        let Solution { residual, health, evaluations, .. } = (*made)?;
+        context.stats.evaluations += u64::from(evaluations);
         context.health = context.health.min(health.0);
         if !health.is_good() {
             let here = (context.time, context.x);

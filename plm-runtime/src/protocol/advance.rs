@@ -1,5 +1,6 @@
 //! General path: steps of any method to the end of an interval, each judged, then committed or made in another way.
 
+use super::cut::Cut;
 use super::judge::{Limits, Proposal, Rules, Verdict, judge};
 use super::near_singular::{Rescue, is_singular, true_cause};
 use super::observer::{Observer, Trigger};
@@ -30,6 +31,8 @@ pub(crate) enum Made<S> {
     Shortened,
     /// The step was refused; it will be made in parts.
     Split(Parts<S>),
+    /// The step was refused; it will be made up to a change of contact, and from it on.
+    Cut(Cut<S>),
     /// The step was refused; the near-singular method continues from its start.
     NearSingular,
     /// The method could make no step; the near-singular method may make one.
@@ -52,6 +55,8 @@ pub(crate) struct Advance<'r, 'c, M: Mechanism, I, O> {
     pub(crate) context: &'r mut Context<'c, M>,
     pub(crate) guarded: Guarded<'r, M>,
     pub(crate) observer: &'r mut O,
+    /// The length of a step that was cut while a part of it is made, s.
+    pub(crate) cut: Option<M::S>,
 }
 
 impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
@@ -106,6 +111,9 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     pub(crate) fn go_on(&mut self, mut made: Made<M::S>) -> Result<(), Fault> {
         let mut failures = 0;
         loop {
+            if let Made::Cut(cut) = &made {
+                made = self.make_cut(cut);
+            }
             if let Made::Split(parts) = made {
                 made = self.split(parts);
             }
@@ -128,7 +136,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
 
     /// Proposes a step, and carries out the judge's verdict.
     #[inline]
-    fn step(&mut self) -> Made<M::S> {
+    pub(super) fn step(&mut self) -> Made<M::S> {
         if const { Self::COASTS } {
             return self.coast();
         }
@@ -185,9 +193,15 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             }
         };
         match guarded.detector.look_after::<M, I>(context, guarded.history, from, event) {
-            Ok(event) => self
-                .commit(from, (held, x), (accepted, drifted), event)
-                .map_or_else(Made::Failed, |()| Made::Step),
+            Ok(event) => match self.change(from, &event) {
+                Some(cut) => {
+                    self.refuse(from);
+                    Made::Cut(cut)
+                }
+                None => self
+                    .commit(from, (held, x), (accepted, drifted), event)
+                    .map_or_else(Made::Failed, |()| Made::Step),
+            },
             Err(fault) => self.fail(from, fault),
         }
     }
@@ -223,7 +237,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             method.turned();
         }
         let before = self.modes();
-        let step = self.context.time - from.time;
+        let step = self.cut.unwrap_or(self.context.time - from.time);
         self.guarded.detector.switch(self.method, self.context, (event, step))?;
         self.context.end = stop;
         self.show_events(
@@ -283,7 +297,8 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     fn with<'s, J>(&'s mut self, method: &'s mut J, limits: Limits<M::S>) -> Advance<'s, 'c, M, J, O> {
         let Guarded { detector, history, .. } = &mut self.guarded;
         let guarded = Guarded { detector: &mut **detector, history: &mut **history, limits };
-        Advance { method, context: &mut *self.context, guarded, observer: &mut *self.observer }
+        let (context, cut) = (&mut *self.context, self.cut);
+        Advance { method, context, guarded, observer: &mut *self.observer, cut }
     }
 
     /// Makes a step that is too long for a sharp turn near a flat pose, in shorter steps of the same formula.
@@ -321,6 +336,10 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             }
             match self.step() {
                 Made::Step | Made::Shortened => {}
+                Made::Cut(cut) => match self.make_cut(&cut) {
+                    Made::Step => {}
+                    refused => return refused,
+                },
                 refused => return refused,
             }
         }

@@ -9,7 +9,7 @@
 //!
 //! | path | proposal | what is done |
 //! |---|---|---|
-//! | general | any method | `advance` |
+//! | general | any method | `advance`; a fixed step in which contact changes in two parts (`cut`) |
 //! | steps that need no further action, of systems with a large discrete state | a formula | commits, else as general |
 //! | an interval of one fixed step | a formula, on a copy of the state | commits if accepted at once, else the general path repeats it |
 //! | a single step ([`crate::step`]) | code that is emitted | commits, or is a fault |
@@ -17,6 +17,7 @@
 
 mod advance;
 mod coast;
+mod cut;
 mod energy;
 mod judge;
 mod near_singular;

@@ -300,8 +300,8 @@ fn single_precision_comes_to_rest() {
     assert!(sim.x[1].abs() < 1e-5, "{:?}", sim.x);
 }
 
-/// Steps of fixed length do not locate events: bouncing ends all the same where a flight is shorter than a step, and a slip where
-/// it has changed its sign within one. Errors fall with the step.
+/// Steps of fixed length are cut where contact changes: bouncing ends all the same where a flight is shorter than a step, and a slip where
+/// its rate is zero.
 #[test]
 fn steps_of_fixed_length_come_to_rest() {
     for e in [0.0, 0.5, 0.8, 0.95] {
@@ -319,7 +319,7 @@ fn steps_of_fixed_length_come_to_rest() {
             );
             assert!(stats.impacts < 200 && switches < 210 && stats.closures == 1, "{e} {h}: {stats:?}");
             assert!((exact.x[0] - fixed.x[0]).abs() < 5.0 * h, "{e} {h}: {:?} {:?}", exact.x, fixed.x);
-            assert_eq!([fixed.x[2], fixed.x[3]], [0.0; 2]);
+            assert!(fixed.x[2].abs() < 1e-25 && fixed.x[3].abs() < 1e-25, "{e} {h}: {:?}", fixed.x);
         }
     }
 }

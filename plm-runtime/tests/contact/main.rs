@@ -13,6 +13,7 @@ mod machines;
 mod many;
 mod oscillator;
 mod painleve;
+mod shares;
 mod slider_crank;
 mod stepping;
 mod support;

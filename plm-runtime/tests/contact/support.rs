@@ -171,6 +171,9 @@ macro_rules! system {
                 plm_runtime::contact::switch_after::<Self, $n>(self, t, u, x, at).map(|_| ())
             }
             const CONTACTS: usize = $n;
+            fn contacts(u: &Self::U) -> plm_runtime::contact::Status<'_> {
+                plm_runtime::contact::Modal::status(u)
+            }
             fn change_contact(u: &mut Self::U, change: plm_runtime::contact::Change) {
                 plm_runtime::contact::Modal::modes_mut(u).change = change;
             }

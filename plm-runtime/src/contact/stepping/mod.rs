@@ -11,23 +11,25 @@
 //! (J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics, 1988, with theta = 1/2; M. Jean, The non-smooth contact
 //! dynamics method, Computer Methods in Applied Mechanics and Engineering 177, 1999; V. Acary, B. Brogliato, Numerical Methods for
 //! Nonsmooth Dynamical Systems, 2008, chapter 10). A gap that the step would close has `z' >= -z/(theta h)`, complementary to its contact
-//! force, so that it closes at the end of the step and does not become negative; a friction has `z' = 0` or the force of its limit. Impacts
-//! with restitution come first, at the beginning of the step. A negative gap that (2) leaves, and a displacement of a sticking friction
+//! force, so that it closes at the end of the step and does not become negative; a friction has `z' = 0` or the force of its limit. A row
+//! with restitution that closes so splits the step ([`attempt`]). A negative gap that (2) leaves, and a displacement of a sticking friction
 //! from its place, are corrected by the constraint rows in positions alone: velocities, and so the kinetic energy, are unaffected
 //! (V. Acary, Projected event-capturing time-stepping schemes for nonsmooth mechanical systems with unilateral contact and Coulomb's
 //! friction, Computer Methods in Applied Mechanics and Engineering 256, 2013).
 //!
 //! With more evaluations than one, each but the first is at the velocity `v_m = v + (1 - theta) h (a_0 + sum_j a_j lambda_j)` that the one
 //! before predicts for `t_m`, first-order states likewise: a predictor and correctors, as in C. Runge's midpoint rule (E. Hairer,
-//! S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 1993, section II.1). Impacts come before the first evaluation.
+//! S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 1993, section II.1).
 
+mod attempt;
 mod impacts;
 mod packed;
 mod problem;
 mod smooth;
 mod solver;
 
-use self::impacts::{Progress, impacts};
+pub(super) use self::attempt::tail;
+use self::attempt::{Attempt, Setting};
 pub use self::packed::{Proposed, packed_steps};
 pub(super) use self::problem::NO_SLIP;
 use self::problem::{Problem, away, lead_back};
@@ -69,6 +71,8 @@ pub struct Solution<S> {
     pub residual: S,
     /// Number of systems of equations that were solved for the modes.
     pub rounds: u32,
+    /// Number of evaluations of the equations of motion.
+    pub evaluations: u32,
     /// The health of the equations of motion.
     pub health: Health<S>,
 }
@@ -102,7 +106,7 @@ pub fn step<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     step_by::<M, N, EVALUATIONS>(system, stride, (u, x), |t, u, x| system.motion_at(t, u, x), after)
 }
 
-/// Makes a step as [`step`] does; `motion_at` gives the motion at the intermediate place for a time, a discrete state and a state.
+/// Makes a step as [`step`] does; `motion` gives the first evaluation, at the intermediate place, for its time, discrete state and state.
 #[allow(
     clippy::inline_always,
     reason = "a step has one caller, on targets whose registers hold a part of it"
@@ -112,54 +116,43 @@ fn step_by<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     system: &M,
     stride: &Stride<M::S>,
     (u, x): (&mut M::U, &mut M::X),
-    motion_at: impl Fn(M::S, &M::U, &M::X) -> Motion<M::S, M::X, N>,
+    motion: impl FnOnce(M::S, &M::U, &M::X) -> Motion<M::S, M::X, N>,
     finish: impl FnOnce(&mut M::U, &mut M::X, &Solution<M::S>) -> Result<(), Fault>,
 ) -> Result<Solution<M::S>, Fault> {
-    let [ahead, rest] = stride.parts();
+    let ([ahead, _], end) = (stride.parts(), stride.t + stride.h);
     drift::<M>(ahead, x);
-    let mut motion = motion_at(stride.t + ahead, u, x);
-    super::bounds::look_at_signs(system, stride.t, u, &motion.rows)?;
-    let laws = core::array::from_fn(|row| system.law(row));
-    let exists = core::array::from_fn(|row| system.exists(u, row));
-    let before = *u.modes();
-    let mut progress = Progress { residual: M::S::ZERO, rounds: 0 };
-    let struck = impacts(system, stride, (&laws, &exists), u, (&mut motion, x), &mut progress)?;
-    let mut problem = Problem::of(stride, (&laws, &exists), &mut motion.rows, &before);
-    let mut solved = problem.solve(&motion.rows);
-    let mut evaluated = None;
-    for _ in 1..EVALUATIONS {
-        let last = evaluated.as_ref().unwrap_or(&*x);
-        with_forces(system, (stride.t + ahead, u, last), &mut motion, &solved.lambda);
-        let place = predicted::<M>(ahead, x, &with_responses::<M, N>(&motion, &solved.lambda));
-        motion = evaluated_again(&motion, motion_at(stride.t + ahead, u, &place));
-        super::bounds::look_at_signs(system, stride.t, u, &motion.rows)?;
-        let guess = Modes { of: solved.modes, carried: solved.carried, ..before };
-        problem = Problem::of(stride, (&laws, &exists), &mut motion.rows, &guess);
-        progress.rounds += solved.rounds;
-        solved = problem.solve(&motion.rows);
-        evaluated = Some(place);
+    let motion = motion(stride.t + ahead, u, x);
+    let setting = Setting {
+        laws: core::array::from_fn(|row| system.law(row)),
+        exists: core::array::from_fn(|row| system.exists(u, row)),
+        before: *u.modes(),
+    };
+    let mut attempt = Attempt::of::<M, EVALUATIONS>(system, stride, (u, x), &setting, motion)?;
+    let (mut stride, mut struck) = (*stride, Struck::nothing());
+    let strikes = attempt.strikes(stride.h, &setting);
+    if strikes.contains(&true) {
+        struck = attempt.split::<M, EVALUATIONS>(system, &mut stride, (u, x), (&setting, &strikes))?;
     }
-    let after = modes(&motion.rows, (stride, &problem), &solved, &before);
-    let last = evaluated.as_ref().unwrap_or(&*x);
-    with_forces(system, (stride.t + ahead, u, last), &mut motion, &solved.lambda);
-    let away = away(stride, &motion.rows, &solved, &before);
+    let before = &setting.before;
+    let Attempt { mut motion, problem, solved, place, residual, rounds, evaluations, .. } = attempt;
+    let after = modes(&motion.rows, (&stride, &problem), &solved, before);
+    let [ahead, rest] = stride.parts();
+    with_forces(system, (stride.t + ahead, u, place.as_ref().unwrap_or(x)), &mut motion, &solved.lambda);
+    let away = away(&stride, &motion.rows, &solved, before);
     let corrections = lead_back(&mut motion.rows, &solved.modes, &away);
     arrive::<M, N>((stride.h, rest), &motion, (&solved.lambda, corrections.as_ref()), x);
-    let solution = Solution {
-        residual: progress.residual.max(solved.residual * stride.h),
-        rounds: progress.rounds + solved.rounds,
-        health: motion.health,
-    };
-    if !(motion.health.is_good() && x.is_finite()) {
+    let residual = residual.max(solved.residual * stride.h);
+    let solution = Solution { residual, rounds, evaluations, health: motion.health };
+    if !(solution.health.is_good() && x.is_finite()) {
         return finish(u, x, &solution).map(|()| solution);
     }
-    super::project::joints_after_step(system, stride.t + stride.h, u, x)?;
+    super::project::joints_after_step(system, end, u, x)?;
     *u.modes_mut() = after;
     if let Err(fault) = finish(u, x, &solution) {
-        *u.modes_mut() = before;
+        *u.modes_mut() = *before;
         return Err(fault);
     }
-    count(u, (stride, &struck), &before, &after);
+    count(u, (stride.t, &struck), before, &after);
     Ok(solution)
 }
 
@@ -196,21 +189,10 @@ fn predicted<M: Rate>(time: M::S, x: &M::X, rate: &M::X) -> M::X {
     place
 }
 
-/// The `next` evaluation of a step, with the rates of the rows for the velocity at the beginning of the step: those of `last`, after
-/// impacts.
-fn evaluated_again<S: Real, X, const N: usize>(
-    last: &Motion<S, X, N>,
-    mut next: Motion<S, X, N>,
-) -> Motion<S, X, N> {
-    next.rows.rate = last.rows.rate;
-    next.health = next.health.worst(last.health);
-    next
-}
-
 /// Counts the changes of modes in a step, and records its impacts.
 fn count<S: Real, U: Modal<S, N>, const N: usize>(
     u: &mut U,
-    (stride, struck): (&Stride<S>, &Struck<S, N>),
+    (time, struck): (S, &Struck<S, N>),
     before: &Modes<S, N>,
     after: &Modes<S, N>,
 ) {
@@ -224,7 +206,7 @@ fn count<S: Real, U: Modal<S, N>, const N: usize>(
     if struck.count > 0
         && let Some(booked) = u.booked()
     {
-        booked.book((stride.t + stride.h).to_f64(), struck);
+        booked.book(time.to_f64(), struck);
     }
 }
 

@@ -90,6 +90,30 @@ pub(super) fn end<S: Real, const N: usize>(stride: &Stride<S>, rows: &Rows<S, N>
     after.mul_add(rate, at_standstill(stride, rows, i))
 }
 
+/// Time, from 0 to the length of the step, after which a gap closes that is open and has a rate at the end of the step; `None` if it stays
+/// open. The gap is the parabola `z_m + (t - t_m) w v + (t - t_m)^2 zeta/2 + theta t^2 w a` about the intermediate place.
+pub(super) fn first_closing<S: Real, const N: usize>(
+    stride: &Stride<S>,
+    rows: &Rows<S, N>,
+    (i, rate_at_end): (usize, S),
+) -> Option<S> {
+    let ([ahead, after], half, i) = (stride.parts(), S::lit(0.5), below::<N>(i));
+    let (gap, rate, bias) = (rows.gap[i], rows.rate[i], rows.bias[i]);
+    let pull = (rate_at_end - rate - after * bias) / stride.h;
+    let c = gap - ahead * rate + half * ahead * ahead * bias;
+    let b = rate - ahead * bias;
+    let a = stride.theta * pull + half * bias;
+    if c <= S::ZERO {
+        return Some(S::ZERO);
+    }
+    // The first root of a t^2 + b t + c, without cancellation.
+    let two = S::lit(2.0);
+    let time = two * c / ((b * b - two * two * a * c).max(S::ZERO).sqrt() - b);
+    // False for NaN.
+    let is_within = time >= S::ZERO && time <= stride.h;
+    is_within.then_some(time)
+}
+
 /// Displacements of constraint rows from their places at the end of a step; zero for a gap that closes there.
 pub(super) fn away<S: Real, const N: usize>(
     stride: &Stride<S>,

@@ -43,6 +43,6 @@ pub fn smooth_stride<M: Rate, const EVALUATIONS: usize>(
         worst = Some(worst.map_or(health, |worst| worst.worst(health)));
     });
     let health = worst.unwrap_or_else(Health::perfect);
-    let solution = Solution { residual: M::S::ZERO, rounds: 0, health };
+    let solution = Solution { residual: M::S::ZERO, rounds: 0, evaluations: EVALUATIONS as u32, health };
     after(u, x, &solution).map(|()| solution)
 }

@@ -7,6 +7,7 @@
 //! cargo run --release -p plm-oracle --bin contacts -- --seed 7 --only block     # others, of some kinds
 //! cargo run --release -p plm-oracle --bin contacts -- --seed 7 --case 123       # one, with all its numbers
 //! cargo run --release -p plm-oracle --bin contacts -- --seed 7 --case 123 --tolerance 1e-12
+//! cargo run --release -p plm-oracle --bin contacts -- 200 --steps               # errors of fixed steps
 //! cargo run --release -p plm-oracle --features compiled --bin contacts -- 100 --bits    # the same bits by rustc
 //! ```
 //!
@@ -22,6 +23,7 @@ mod judge;
 mod reference;
 mod run;
 mod stepping;
+mod steps;
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -33,7 +35,7 @@ use plm_program::{Arguments, BadOption, Known};
 use run::{Method, Pace};
 use stepping::Stepping;
 
-const KNOWN: [Known; 9] = [
+const KNOWN: [Known; 10] = [
     Known::word("CASES", "how many; 200 if nothing is said"),
     Known::value("seed", "N", "of the random mechanisms; 1 if nothing is said"),
     Known::value("first", "N", "number of the first case; 0 if nothing is said"),
@@ -42,6 +44,7 @@ const KNOWN: [Known; 9] = [
     Known::value("tolerance", "X", "of that one; 1e-10 if nothing is said"),
     Known::value("only", "KIND", "kinds whose name contains this"),
     Known::flag("verbose", "lists every case that is not right"),
+    Known::flag("steps", "compares runs by fixed steps with those from event to event"),
     Known::flag("bits", "compares the bits of each case with those by rustc (feature `compiled`)"),
 ];
 
@@ -76,6 +79,10 @@ fn sweep() -> Result<bool, BadOption> {
     if given.flag("bits") {
         let all = (first..first + cases).map(|number| Case::new(seed, number, only.as_deref()));
         return Ok(same_bits(first, all.collect()));
+    }
+    if given.flag("steps") {
+        let all = (first..first + cases).map(|number| (number, Case::new(seed, number, only.as_deref())));
+        return Ok(steps::compare(all, given.flag("verbose")));
     }
     let one: Option<u64> = given.number("case")?;
     if let Some(number) = one {

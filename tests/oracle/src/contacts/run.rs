@@ -2,7 +2,7 @@
 
 use plm_oracle::Look;
 use plm_runtime::contact::{Counts, Mode};
-use plm_runtime::{Dop853, Fault, Moment, MoreauJean, Seen, Sim, Start};
+use plm_runtime::{Dop853, Fault, Moment, MoreauJean, Rk4, Seen, Sim, Start};
 
 /// How the interval is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,8 +38,26 @@ pub struct Order<'c> {
 pub enum Method {
     /// From event to event, with this tolerance.
     Events { pace: Pace, tolerance: f64 },
-    /// `MoreauJean` with steps of this length, s.
-    Steps { length: f64 },
+    /// With steps of this length, s.
+    Steps { fixed: Fixed, length: f64 },
+}
+
+/// A method of fixed steps.
+#[derive(Clone, Copy, Debug)]
+pub enum Fixed {
+    MoreauJean,
+    Rk4,
+}
+
+impl Fixed {
+    pub const ALL: [Self; 2] = [Self::MoreauJean, Self::Rk4];
+
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MoreauJean => "MoreauJean",
+            Self::Rk4 => "Rk4",
+        }
+    }
 }
 
 /// A sample.
@@ -76,13 +94,23 @@ pub fn run<M: Look<S = f64>>(built: M, order: &Order) -> Outcome {
             let method = Dop853::new(tolerance).with_most_steps(MOST_STEPS);
             outcome(built.start_with(method), |sim, outcome| at_pace(order, pace, sim, outcome))
         }
-        Method::Steps { length } => outcome(built.start_with(MoreauJean::new(length)), |sim, outcome| {
-            each_sample(order, outcome, |index| {
-                sim.step_to(order.every * index as f64)?;
-                Ok(look::<M>(index, sim.state()))
-            })
-        }),
+        Method::Steps { fixed: Fixed::MoreauJean, length } => {
+            by_steps(built.start_with(MoreauJean::new(length)), order)
+        }
+        Method::Steps { fixed: Fixed::Rk4, length } => by_steps(built.start_with(Rk4::new(length)), order),
     }
+}
+
+fn by_steps<M: Look<S = f64>, I: plm_runtime::Method<M>>(
+    started: Result<Sim<M, I>, Fault>,
+    order: &Order,
+) -> Outcome {
+    outcome(started, |sim, outcome| {
+        each_sample(order, outcome, |index| {
+            sim.step_to(order.every * index as f64)?;
+            Ok(look::<M>(index, sim.state()))
+        })
+    })
 }
 
 /// Outcome of a run that `run` makes; of a failed start its fault.

@@ -1,7 +1,7 @@
 //! Time stepping as a second judge, of what the reference does not judge to its end.
 
 use crate::judge::Case;
-use crate::run::{Method, Outcome};
+use crate::run::{Fixed, Method, Outcome};
 
 /// Lengths of steps, s.
 const STEPS: [f64; 2] = [2e-4, 1e-4];
@@ -25,7 +25,8 @@ pub enum Stepping {
 impl Stepping {
     /// Of the run of a formulation.
     pub fn beside(case: &Case, formulation: usize, run: &Outcome) -> Self {
-        let [long, short] = STEPS.map(|length| case.run(formulation, Method::Steps { length }));
+        let [long, short] =
+            STEPS.map(|length| case.run(formulation, Method::Steps { fixed: Fixed::MoreauJean, length }));
         if long.fault.is_some() || short.fault.is_some() {
             return Self::Open;
         }
@@ -43,7 +44,7 @@ impl Stepping {
 }
 
 /// The largest difference of positions at the samples that both have: velocities jump at slightly different times.
-fn apart(one: &Outcome, other: &Outcome) -> f64 {
+pub fn apart(one: &Outcome, other: &Outcome) -> f64 {
     let pairs = one.samples.iter().filter_map(|sample| {
         let same = other.samples.iter().find(|other| other.index == sample.index)?;
         Some(sample.q.iter().zip(&same.q))
