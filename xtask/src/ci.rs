@@ -103,6 +103,7 @@ const MORE: &[Step] = &[
             "check v0.1.0 --dry-run",
             "binary x86_64-unknown-linux-musl",
             "examples",
+            "try plm c",
             "sums",
             "crates --dry-run",
         ] {
@@ -118,6 +119,11 @@ const MORE: &[Step] = &[
     })),
     Step::Here(plain("random-declarations", "bits of random declarations", |place| {
         place.command("cargo run -p plm-oracle --bin random_declarations -- 100").run()
+    })),
+    Step::Here(plain("neighbours", "MATLAB, ROS 2 and Arduino", |place| {
+        ["matlab", "ros2", "arduino"]
+            .iter()
+            .try_for_each(|name| place.command("bash").arg(format!("tests/{name}.sh")).run())
     })),
     Step::Here(part("fmu", "FMU", |place| place.command("bash tests/fmu.sh").run())),
     Step::Here(plain("exports", "programs, C, FMU and wheel that are exported", |place| {

@@ -10,7 +10,8 @@ use crate::Result;
 use crate::place::Place;
 use crate::workspace;
 
-/// The address of the repository where it is hosted; a release fails while it is empty.
+/// The address at which the pages of a release are hosted, the book with the playground in it, without a slash at the end; a release fails
+/// while it is empty.
 const ADDRESS: &str = "";
 
 /// The folder of the files of a release, below that of cargo.
@@ -28,7 +29,8 @@ cargo xtask release check TAG        version, changelog and address are those of
 cargo xtask release binary TARGET    `plm` for a target of rustc, without symbols
 cargo xtask release page             the playground as one file
 cargo xtask release book             the book
-cargo xtask release examples         C source with its header, and a package that makes an FMU, of the four-bar
+cargo xtask release examples         C source with its header, FMUs, and a package that makes one with a binary, of the four-bar
+cargo xtask release try              the files on an empty Debian without Rust (root, debootstrap)
 cargo xtask release sums             sizes and checksums of all files, within their limits
 cargo xtask release crates           the crates, in their order, to the registry
 each with --dry-run";
@@ -44,6 +46,7 @@ pub(crate) fn run(place: &Place, words: &[String]) -> Result {
         ["page"] => page(place, &folder),
         ["book"] => book(place, &folder),
         ["examples"] => examples(place, &folder),
+        ["try", parts @ ..] => place.command("bash tests/empty.sh").arg(&folder).args(parts).run(),
         ["sums"] => sums(place, &folder),
         ["crates"] => crates(place, is_dry),
         _ => Err(format!("these are the steps of a release:\n{USAGE}")),
@@ -65,7 +68,16 @@ fn check(place: &Place, tag: &str, is_dry: bool) -> Result {
         wrong.push(format!("CHANGELOG.md has no heading of {version} with a date"));
     }
     if ADDRESS.is_empty() {
-        wrong.push("xtask/src/release.rs has no address of the repository".to_owned());
+        wrong.push("xtask/src/release.rs has no address of hosted pages".to_owned());
+    }
+    let manifest = workspace::read(&place.root.join("Cargo.toml"))?;
+    let repository = in_package(&manifest, "repository").unwrap_or_default();
+    if repository.is_empty() {
+        wrong.push("Cargo.toml has no `repository` in [workspace.package]".to_owned());
+    }
+    let line = leading(ADDRESS, repository);
+    if !workspace::read(&place.root.join("README.md"))?.lines().any(|own| own == line) {
+        wrong.push(format!("README.md does not lead where the address says; its line is\n{line}"));
     }
     match (wrong.is_empty(), is_dry) {
         (true, _) => place.say(&format!("{tag} can be released")),
@@ -74,11 +86,28 @@ fn check(place: &Place, tag: &str, is_dry: bool) -> Result {
     }
 }
 
+/// The line of the README that leads to gallery, book and playground: hosted, and as a file of the last release, where there is an address.
+fn leading(address: &str, repository: &str) -> String {
+    let try_it = if address.is_empty() {
+        "[Try it](docs/src/getting-started.md#files-of-a-release)".to_owned()
+    } else {
+        let file = format!("{repository}/releases/latest/download/playground.html");
+        format!("[Try it]({address}/playground.html), or [as a file]({file})")
+    };
+    format!("**[Gallery](docs/src/machines.md) · [Book](docs/src/SUMMARY.md) · {try_it}**")
+}
+
+/// A value of `[workspace.package]`.
+fn in_package<'a>(manifest: &'a str, name: &str) -> Option<&'a str> {
+    let (_, section) = manifest.split_once("[workspace.package]\n")?;
+    let mut own = section.lines().take_while(|line| !line.starts_with('['));
+    own.find_map(|line| line.strip_prefix(name)?.trim_start().strip_prefix("= \"")?.strip_suffix('"'))
+}
+
 /// The version of all crates.
 fn version(root: &Path) -> Result<String> {
     let manifest = workspace::read(&root.join("Cargo.toml"))?;
-    let section = manifest.split_once("[workspace.package]\nversion = \"").map(|(_, rest)| rest);
-    let version = section.and_then(|rest| rest.split_once('"')).map(|(version, _)| version.to_owned());
+    let version = in_package(&manifest, "version").map(str::to_owned);
     version.ok_or_else(|| "Cargo.toml has no version of the workspace".to_owned())
 }
 
@@ -108,8 +137,13 @@ fn book(place: &Place, folder: &Path) -> Result {
     place.command("tar -czf").arg(&archive).arg("-C").arg(&place.target).arg("book").run()
 }
 
-/// C source with its header, and the package from which `cargo run --release -- --fmu` makes an FMU.
+/// C source with its header, FMUs with sources, and the package from which `cargo run --release -- --fmu` makes one with a binary.
 fn examples(place: &Place, folder: &Path) -> Result {
+    for (version, name) in [("3", "four_bar.fmu"), ("2", "four_bar_fmi2.fmu")] {
+        let export = place.command("cargo run --quiet -p plm-cli -- export --force").arg(EXAMPLE);
+        export.arg("--fmu-source").arg(folder.join(name)).args(["--fmi", version]).run()?;
+    }
+
     for (option, name) in [("--c-source", "four_bar_c"), ("--fmu", "four_bar_fmu")] {
         let made = place.target.join("release-examples").join(name);
         let export = place.command("cargo run --quiet -p plm-cli -- export --force").arg(EXAMPLE);

@@ -3,7 +3,7 @@
 use core::cell::RefCell;
 use core::ops::ControlFlow;
 
-use plm_runtime::described::by_number;
+use plm_runtime::described::{Place, by_number};
 use plm_runtime::sim::Seen;
 use plm_runtime::{BodyState, Described, Fault, Method, Moment, Sim};
 
@@ -14,6 +14,8 @@ pub struct Sample {
     pub time: f64,
     /// Poses and velocities of the centres of gravity, in the order of [`Run::bodies`](crate::Run::bodies).
     pub bodies: Vec<BodyState<f64>>,
+    /// x, y (m) and angle (rad) of each port of the ground.
+    pub ground: Vec<[f64; 3]>,
     /// The numbers of [`Run::all_columns`](crate::Run::all_columns), in their units.
     pub values: Vec<f64>,
 }
@@ -71,7 +73,10 @@ impl Sample {
             let value = M::observed(state, k).unwrap_or(f64::NAN);
             output.map_or(value, |(_, output)| value / output.factor)
         });
-        let mut sample = Sample { time: state.time(), bodies: Vec::new(), values: values.collect() };
+        let (mechanism, time) = (state.mechanism(), state.time());
+        let ports = 0..mechanism.tables().ground.len();
+        let ground = ports.map(|port| Place::components(mechanism.ground(time, port))).collect();
+        let mut sample = Sample { time, bodies: Vec::new(), ground, values: values.collect() };
         M::poses(state, &mut |pose| sample.bodies.push(pose));
         sample
     }
@@ -80,7 +85,13 @@ impl Sample {
     fn is(&self, other: &Sample) -> bool {
         fn bits(sample: &Sample) -> impl Iterator<Item = u64> {
             let poses = sample.bodies.iter().flat_map(|body| body.components());
-            [sample.time].into_iter().chain(poses).chain(sample.values.iter().copied()).map(f64::to_bits)
+            let ground = sample.ground.iter().flatten().copied();
+            [sample.time]
+                .into_iter()
+                .chain(poses)
+                .chain(ground)
+                .chain(sample.values.iter().copied())
+                .map(f64::to_bits)
         }
         bits(self).eq(bits(other))
     }

@@ -21,6 +21,7 @@ mod numbers;
 mod plan;
 mod print;
 mod rk4;
+mod ros2;
 mod source;
 mod template;
 
@@ -31,6 +32,7 @@ use plm_runtime::Fault;
 
 pub use self::fmu::{Fmu, fmu};
 pub use self::plan::Refused;
+pub use self::ros2::ros2;
 pub use plm_foreign::fmi::{Interfaces, Version};
 
 /// The numbers that a source computes with.

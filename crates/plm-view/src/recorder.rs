@@ -183,7 +183,8 @@ impl<M: Described> Recorder<M> {
         self.end(sim, every, outcome)
     }
 
-    fn begin<I: Method<M>>(&mut self, sim: &Sim<M, I>) {
+    /// Describes the run that is about to begin: its method, and no fault. Runs of the recorder do so by themselves.
+    pub fn begin<I: Method<M>>(&mut self, sim: &Sim<M, I>) {
         self.recording.about.method = method(sim.method());
         self.recording.about.fault = None;
     }

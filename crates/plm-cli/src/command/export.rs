@@ -32,6 +32,7 @@ pub(super) const COMMAND: Command = Command {
         ("--python FOLDER", "the same package, and how it makes a wheel"),
         ("--c-source FOLDER", "C99 of it, for compilers of any target: no Rust, no library"),
         ("--single", "of --c-source: numbers of 32 bits"),
+        ("--ros2 FOLDER", "a package of ROS 2 with a node that steps its C source"),
         ("--fmu-source FILE", "an FMU with C sources: no Rust, no compiler"),
         ("--fmi VERSION", "of --fmu-source: 2 or 3, for FMI 2.0 or 3.0"),
         ("--interface NAME", "of --fmu-source: `model-exchange` or `co-simulation` alone"),
@@ -75,6 +76,7 @@ const FORMATS: [(&str, Format); 2] = [("--mjcf", plm_import::to_mjcf), ("--urdf"
 enum Wanted {
     Package(&'static Product, PathBuf),
     Source(PathBuf, Precision),
+    Ros2(PathBuf),
     SourceFmu(PathBuf, Version, Option<Interfaces>),
     File(Format, String),
     Link(String),
@@ -103,7 +105,7 @@ impl Asked {
         wanted.extend(words.value("--link").map(Wanted::Link));
         let (Some(wanted), true) = (wanted.pop(), wanted.is_empty()) else {
             return Err(
-                "an export makes one of --rust, --c, --c-source, --fmu, --fmu-source, --python, --mjcf, --urdf and --link"
+                "an export makes one of --rust, --c, --c-source, --fmu, --fmu-source, --python, --ros2, --mjcf, --urdf and --link"
                     .into(),
             );
         };
@@ -117,11 +119,11 @@ impl Asked {
     }
 }
 
-/// C source, or an FMU of it, with their own options.
+/// C source, a node over it, or an FMU of it, with their own options.
 fn of_source(words: &mut Words) -> Result<Vec<Wanted>, Failure> {
     let is_single = words.takes("--single");
     let [fmi, interface] = ["--fmi", "--interface"].map(|option| words.value(option));
-    let [source, fmu] = ["--c-source", "--fmu-source"].map(|option| words.value(option));
+    let [source, ros2, fmu] = ["--c-source", "--ros2", "--fmu-source"].map(|option| words.value(option));
     if is_single && source.is_none() {
         return Err("--single is of --c-source: an FMU has numbers of 64 bits".into());
     }
@@ -132,7 +134,8 @@ fn of_source(words: &mut Words) -> Result<Vec<Wanted>, Failure> {
     let (version, interfaces) = (version_of(fmi.as_deref())?, interfaces_of(interface.as_deref())?);
     let source = source.map(|folder| Wanted::Source(folder.into(), precision));
     let fmu = fmu.map(|file| Wanted::SourceFmu(file.into(), version, interfaces));
-    Ok(source.into_iter().chain(fmu).collect())
+    let ros2 = ros2.map(|folder| Wanted::Ros2(folder.into()));
+    Ok(source.into_iter().chain(ros2).chain(fmu).collect())
 }
 
 /// The version of an FMU with sources.
@@ -191,10 +194,14 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             }
             if asked.builds { build(folder, &commands, streams) } else { Ok(Outcome::Good) }
         }
-        Wanted::Source(folder, precision) => {
+        Wanted::Source(folder, _) | Wanted::Ros2(folder) => {
             let mechanism =
                 Mechanism::from_named_text(&file.name, &text).map_err(|error| error.to_string())?;
-            let files = plm_source::c(&mechanism, *precision).map_err(|failure| failure.to_string())?;
+            let files = match asked.wanted {
+                Wanted::Source(_, precision) => plm_source::c(&mechanism, precision),
+                _ => plm_source::ros2(&mechanism),
+            };
+            let files = files.map_err(|failure| failure.to_string())?;
             let files = files.iter().map(|made| (folder.join(&made.name), made.text.as_str()));
             write(&files.collect::<Vec<_>>(), asked.overwrites, streams)?;
             Ok(Outcome::Good)

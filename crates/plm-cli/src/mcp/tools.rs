@@ -65,8 +65,10 @@ const fn optional(name: &'static str, kind: Kind, about: &'static str) -> Field 
 }
 
 /// Formats of an export, and their options of `plm export`.
-const FORMATS: [(&str, &str); 8] = [
+const FORMATS: [(&str, &str); 10] = [
     ("c_source", "--c-source"),
+    ("fmu_source", "--fmu-source"),
+    ("ros2", "--ros2"),
     ("mjcf", "--mjcf"),
     ("urdf", "--urdf"),
     ("rust", "--rust"),
@@ -75,7 +77,8 @@ const FORMATS: [(&str, &str); 8] = [
     ("python", "--python"),
     ("link", "--link"),
 ];
-const FORMAT_NAMES: [&str; 8] = ["c_source", "mjcf", "urdf", "rust", "c", "fmu", "python", "link"];
+const FORMAT_NAMES: [&str; 10] =
+    ["c_source", "fmu_source", "ros2", "mjcf", "urdf", "rust", "c", "fmu", "python", "link"];
 
 const TOOLS: [Tool; 7] = [
     Tool {
@@ -187,8 +190,9 @@ const TOOLS: [Tool; 7] = [
     Tool {
         name: "export",
         title: "Export a mechanism",
-        about: "C99 source (`c_source`), a model of MuJoCo (`mjcf`) or ROS (`urdf`), a Rust package that makes a program, a library \
-                for C, an FMU or a wheel (`rust`, `c`, `fmu`, `python`; cargo builds it), or a link to the playground.",
+        about: "C99 source (`c_source`), an FMU with it, complete (`fmu_source`), a package of ROS 2 whose node steps it (`ros2`), a \
+                model of MuJoCo (`mjcf`) or ROS (`urdf`), a Rust package that makes a program, a library for C, an FMU with a binary \
+                or a wheel (`rust`, `c`, `fmu`, `python`; cargo builds it), or a link to the playground.",
         fields: &[
             needed("format", Kind::OneOf(&FORMAT_NAMES), "what it becomes"),
             optional(
@@ -198,6 +202,7 @@ const TOOLS: [Tool; 7] = [
                  given as text without it",
             ),
             optional("single", Kind::Bare, "of c_source: numbers of 32 bits"),
+            optional("fmi", Kind::OneOf(&["2", "3"]), "of fmu_source: the version of FMI, 3 without it"),
             optional("address", Kind::Text, "of link: the address of the playground"),
         ],
         writes: true,
@@ -214,10 +219,12 @@ fn export(given: &Arguments) -> Result<Vec<String>, String> {
         ("link", _, None) => return Err("a link needs `address`: that of the playground".to_owned()),
         (_, Some(to), _) => to,
         ("mjcf" | "urdf", None, _) => "-",
+        ("fmu_source", None, _) => return Err("fmu_source needs `to`: the name of its file".to_owned()),
         (format, None, _) => return Err(format!("{format} needs `to`: a folder for its files")),
     };
     let mut words = vec!["export".to_owned(), format!("{option}={value}")];
     words.extend(given.is_true("single").then(|| "--single".to_owned()));
+    words.extend(given.text("fmi").map(|version| format!("--fmi={version}")));
     Ok(words)
 }
 

@@ -50,7 +50,7 @@ pub(crate) fn cause(result: &Value) -> &str {
     result["content"][0]["text"].as_str().unwrap()
 }
 
-/// A session from a check to exports, whose answers stand beside it.
+/// A session from a check to a complete FMU, whose answers stand beside it.
 #[test]
 fn a_recorded_session_has_the_same_answers() {
     let files = root().join("crates/plm-cli/tests/cli/mcp");
@@ -71,6 +71,13 @@ fn a_recorded_session_has_the_same_answers() {
         assert_eq!(made.lines().count(), known.lines().count(), "`cargo xtask bless book` writes it anew");
     }
     assert!(folder.join("crank/slider_crank.c").is_file(), "{:?}", fs::read_dir(folder.join("crank")));
+    let fmu = fs::read(folder.join("crank.fmu")).unwrap();
+    assert!(fmu.starts_with(b"PK"), "an FMU is a ZIP archive");
+    let has = |name: &str| fmu.windows(name.len()).any(|bytes| bytes == name.as_bytes());
+    assert!(
+        has("modelDescription.xml") && has("sources/slider_crank_fmi.c"),
+        "its description and its source"
+    );
 }
 
 #[test]
