@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::names::{GROUND, PortName};
+use crate::number::Literal;
 use crate::picture::{Picture, Placed, Point, turned};
 use crate::sheet::{Axes, Handle, Joint, Place, Sheet};
 
@@ -77,7 +78,7 @@ impl Bodies {
             let Place::Numbers { numbers, .. } = &handle.place else { continue };
             let outline =
                 bodies.entry(handle.name.owner.clone()).or_insert_with(|| Outline::of(sheet, handle));
-            outline.ports.push((handle.name.clone(), numbers.each_ref().map(|number| number.si())));
+            outline.ports.push((handle.name.clone(), numbers.each_ref().map(Literal::si)));
         }
         Bodies(bodies)
     }

@@ -275,6 +275,20 @@ pub P {
             "inertia: rod(1 kg, 20 cm); port a: (-10, 0) cm; port b: (10, 0) cm; start angle: 53.13 deg;";
         assert!(made.contains(crank), "{drawn}\n{made}");
         assert_eq!(drawn["to"], json!([0.12, 0.16]));
+        // While it goes on, its values are the same.
+        let live = json!({ "kind": "drag", "live": true, "port": port, "to": [0.12, 0.16], "grid": 1e-3 });
+        assert_eq!(draw(TEXT, live, places.clone())["values"], drawn["values"]);
+        let sketch = draw(TEXT, json!({ "kind": "sketch" }), Value::Null);
+        assert_eq!(
+            sketch["places"][2],
+            json!({ "owner": "crank", "port": "a", "at": [0.0, 0.0], "angle": std::f64::consts::FRAC_PI_2, "guessed": true })
+        );
+        assert_eq!(sketch["parts"][0]["pin"], true);
+        let slide = json!({ "kind": "slide", "port": port, "toward": [0.0, 0.2], "grid": 1e-3 });
+        let made = edited(TEXT, &draw(TEXT, slide, places.clone()));
+        assert!(made.contains("ground { port g1: (0, 100) mm, axis: 90 deg; }"), "{made}");
+        let opened = json!({ "kind": "unpin", "port": { "owner": "crank", "port": "a" } });
+        assert!(!edited(TEXT, &draw(TEXT, opened, places.clone())).contains("revolute"));
         let lift = json!({ "kind": "lift", "port": port, "to": [0.0, 0.1], "grid": 1e-3 });
         let lifted = draw(TEXT, lift, places);
         assert_eq!(lifted["parameters"].as_array().map(Vec::len), drawn["values"].as_array().map(Vec::len));

@@ -62,7 +62,7 @@ export class Live {
     this.states = new KeptStates(this);
     /** What is wrong with its start; null where nothing is. @type {import("./worker.js").Trouble | null} */
     this.trouble = null;
-    /** Called when parameters that were set together have been answered, with the path of a point. @type {(path: number[]) => void} */
+    /** Hears the path of a point once parameters are set together. @type {(path: number[]) => void} */
     this.whenDragged = () => {};
     /** What it has opened, in words. */
     this.opened = "";

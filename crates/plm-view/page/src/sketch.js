@@ -112,9 +112,11 @@ export class Sketch {
   enter() {
     const { app } = this;
     const { live } = app;
+    const isFitted = app.isFitted;
     app.mode = "draw";
     app.window = null;
-    if (app.view.azimuth !== 0 || app.view.elevation !== 0) app.lookFrom("front");
+    // The tools stand over the picture now.
+    if (isFitted || app.view.azimuth !== 0 || app.view.elevation !== 0) app.lookFrom("front");
     this.stand();
     if (live === null || app.run === null) this.emptyView();
     this.changed();
@@ -131,7 +133,7 @@ export class Sketch {
   stand() {
     const { live, run, player } = this.app;
     if (live === null || run !== live.run) return;
-    const isMoving = live.isRunning || run.rows > 1 || player.isPlaying;
+    const { isMoving } = this;
     player.stop();
     if (live.isRunning) live.pause();
     if (isMoving) live.send({ kind: "restart" });
@@ -198,11 +200,6 @@ export class Sketch {
     this.pane?.step(name, (editor) => editor.gesture(drawn.edits ?? []));
     this.changed();
     return drawn;
-  }
-
-  /** @param {Projection} projection */
-  grid(projection) {
-    return sketchStep(projection.scale);
   }
 
   /**
@@ -304,7 +301,7 @@ export class Sketch {
     if (from === null) return;
     const place = this.endAt(projection, x, y, how);
     if (place === null) return;
-    this.finish(place.at, place.onto, how.isShift === true, this.grid(projection));
+    this.finish(place.at, place.onto, how.isShift === true, sketchStep(projection.scale));
   }
 
   /** Where the second of two places is. @param {Projection} projection @param {number} x @param {number} y @param {Press} [how] @returns {Snapped | null} */
@@ -341,7 +338,7 @@ export class Sketch {
   ground(projection, x, y, how) {
     const port = nearestPort(this.places(), projection, x, y, how);
     if (port === null) this.tell("a pin is wanted here: the end of a bar");
-    else this.make("pin to the ground", { kind: "ground", port: { owner: port.owner, port: port.port }, grid: this.grid(projection) });
+    else this.make("pin to the ground", { kind: "ground", port: { owner: port.owner, port: port.port }, grid: sketchStep(projection.scale) });
   }
 
   /** The bar at a place turns: that on the ground where two meet. @param {Projection} projection @param {number} x @param {number} y @param {Press} how */
