@@ -10,7 +10,7 @@ use crate::refusal::Refusal;
 use crate::rules::{Drag, FINE, drag};
 use crate::sheet::{Axes, Handle, Place, Sheet};
 use crate::tools::Tool;
-use crate::{remove, rename, typed};
+use crate::{remove, rename, slide, typed};
 
 /// A deed of a hand.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,10 +54,24 @@ pub enum Gesture {
         /// The step of the picture, m.
         grid: f64,
     },
+    /// A port is guided along a line of the ground.
+    Slide {
+        /// The port.
+        port: PortName,
+        /// A point of the line, beside the place of the port.
+        toward: Point,
+        /// The step of the picture, m.
+        grid: f64,
+    },
     /// A thing is taken away.
     Delete {
         /// Its name.
         name: String,
+    },
+    /// The pin of a port is opened: its joints are taken away.
+    Unpin {
+        /// The port.
+        port: PortName,
     },
     /// A port is taken away.
     DeletePort {
@@ -127,6 +141,16 @@ pub fn draw(sheet: &Sheet<'_>, picture: &Picture, gesture: &Gesture) -> Result<D
     Ok(drawn)
 }
 
+/// The values of a drag that goes on, with edits as they are: nothing is laid out, so that it answers sooner.
+///
+/// # Errors
+/// As [`draw`] of the same drag.
+pub fn follow(sheet: &Sheet<'_>, picture: &Picture, of: &Drag) -> Result<Drawn, Refusal> {
+    let mut drawn = dragged(sheet, picture, of)?;
+    drawn.edits = in_order(drawn.edits);
+    Ok(drawn)
+}
+
 /// Edits after which a text has its layout, if it has it before.
 fn laid_out(text: &str, edits: Vec<Edit>) -> Vec<Edit> {
     if formatted(text).as_deref() != Ok(text) {
@@ -157,7 +181,9 @@ fn edited(sheet: &Sheet<'_>, picture: &Picture, gesture: &Gesture) -> Result<Dra
             let name = tool.put([one, other], (picture, *grid), &mut words, &mut insertion)?;
             Ok(Drawn { made: vec![name], ..only(insertion.edits(sheet)?) })
         }
+        Gesture::Slide { port, toward, grid } => slide::slide(sheet, picture, port, *toward, *grid),
         Gesture::Delete { name } => Ok(only(remove::thing(sheet, name)?)),
+        Gesture::Unpin { port } => Ok(only(remove::pin(sheet, port)?)),
         Gesture::DeletePort { port } => Ok(only(remove::port(sheet, port)?)),
         Gesture::Rename { from, to } => Ok(only(rename::thing(sheet, from, to)?)),
         Gesture::RenamePort { from, to } => Ok(only(rename::port(sheet, from, to)?)),
@@ -176,17 +202,20 @@ fn dragged(sheet: &Sheet<'_>, picture: &Picture, of: &Drag) -> Result<Drawn, Ref
 }
 
 /// A port of the text.
-fn handle_of<'a, 's>(handles: &'a [Handle<'s>], name: &PortName) -> Result<&'a Handle<'s>, Refusal> {
+pub(crate) fn handle_of<'a, 's>(
+    handles: &'a [Handle<'s>],
+    name: &PortName,
+) -> Result<&'a Handle<'s>, Refusal> {
     handles.iter().find(|handle| handle.name == *name).ok_or_else(|| Refusal::Unknown(name.to_string()))
 }
 
 /// The place of a port.
-fn place_of(picture: &Picture, name: &PortName) -> Result<Point, Refusal> {
+pub(crate) fn place_of(picture: &Picture, name: &PortName) -> Result<Point, Refusal> {
     Ok(picture.port(name).ok_or_else(|| Refusal::NotShown(name.clone()))?.at)
 }
 
 /// The name of the point of a drawing where a port stands, if it has one in absolute axes.
-fn point_of<'s>(handle: &Handle<'s>) -> Option<&'s str> {
+pub(crate) fn point_of<'s>(handle: &Handle<'s>) -> Option<&'s str> {
     match handle.place {
         Place::Numbers { through, .. }
             if handle.axes == Axes::Absolute || handle.axes == Axes::Drawing(0.0) =>
@@ -198,7 +227,7 @@ fn point_of<'s>(handle: &Handle<'s>) -> Option<&'s str> {
 }
 
 /// A point as it is written.
-fn point_at(at: Point, grid: f64) -> String {
+pub(crate) fn point_at(at: Point, grid: f64) -> String {
     let [x, y] = at.map(|of| rounded(1e3 * of, 1e3 * FINE * grid));
     format!("({x}, {y}) mm")
 }

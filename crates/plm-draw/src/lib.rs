@@ -31,11 +31,13 @@ mod remove;
 mod rename;
 mod rules;
 mod sheet;
+mod sketch;
+mod slide;
 mod tools;
 mod typed;
 
 pub use edit::{Edit, applied, as_declared, inverse};
-pub use gesture::{Drawn, End, Gesture, draw};
+pub use gesture::{Drawn, End, Gesture, draw, follow};
 pub use lift::{LIFTED, Lifted};
 pub use names::{GROUND, PortName};
 pub use number::{Change, Literal, decimal_step};
@@ -43,6 +45,7 @@ pub use picture::{Picture, Placed, Point};
 pub use refusal::Refusal;
 pub use rules::Drag;
 pub use sheet::{Axes, Handle, Place, Sheet};
+pub use sketch::{Sketch, SketchPart};
 pub use tools::{TOOLS, Tool};
 pub use typed::{Dimension, Typed};
 

@@ -9,7 +9,7 @@ use crate::edit::Edit;
 use crate::lexer::tokens;
 use crate::names::{GROUND, PortName};
 use crate::refusal::Refusal;
-use crate::sheet::{Mention, Sheet, mentions, mentions_of_expr};
+use crate::sheet::{Joint, Mention, Sheet, mentions, mentions_of_expr};
 
 /// Things that go by name, and ports by owner and name.
 #[derive(Debug, Default)]
@@ -63,6 +63,21 @@ pub(crate) fn port(sheet: &Sheet<'_>, port: &PortName) -> Result<Vec<Edit>, Refu
     let base = |name: &str| name.split('[').next().unwrap_or(name).to_owned();
     let ports = BTreeSet::from([(base(&port.owner), base(&port.port))]);
     Ok(removed(sheet, Gone { things: BTreeSet::new(), ports }))
+}
+
+/// The edits that take the joints of a pin away; its ports stay.
+///
+/// # Errors
+/// The text has no such port, or no joint holds it.
+pub(crate) fn pin(sheet: &Sheet<'_>, port: &PortName) -> Result<Vec<Edit>, Refusal> {
+    let pin = sheet.pin(port);
+    let holds = |joint: &&Joint| joint.is_pin() && joint.ports.iter().any(|of| pin.contains(of));
+    let base = |joint: &Joint| joint.name.split('[').next().unwrap_or(&joint.name).to_owned();
+    let things: BTreeSet<String> = sheet.joints().iter().filter(holds).map(base).collect();
+    if things.is_empty() {
+        return Err(Refusal::Unknown(format!("pin of {port}")));
+    }
+    Ok(removed(sheet, Gone { things, ports: BTreeSet::new() }))
 }
 
 /// The edits that put one point of a drawing in the place of another, which goes.

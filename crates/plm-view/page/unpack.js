@@ -1,8 +1,10 @@
 // Unpacks the style and the script of a page, and starts it.
 
+import { undense } from "./src/dense.js";
+
 /** @param {string} id */
 const unpacked = (id) => {
-  const bytes = Uint8Array.from(atob(document.getElementById(id)?.textContent ?? ""), (letter) => letter.charCodeAt(0));
+  const bytes = undense(document.getElementById(id)?.textContent ?? "");
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).text();
 };
 document.querySelector("style")?.replaceChildren(await unpacked("packed-style"));

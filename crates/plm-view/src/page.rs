@@ -25,6 +25,8 @@ const STYLE: &str = include_str!("../page/style.css");
 const STYLE_OF_EDITOR: &str = include_str!("../page/playground.css");
 /// Style and script stand deflated in a page that is a file, which makes the file smaller by a fifth or more; this starts it.
 const UNPACK: &str = include_str!("../page/unpack.js");
+/// Reads the letters in which they stand.
+const UNDENSE: &str = include_str!("../page/src/dense.js");
 /// The style until then.
 const UNSEEN: &str = "body > :not(noscript) { visibility: hidden; }";
 
@@ -115,8 +117,8 @@ impl Page {
             style += STYLE_OF_EDITOR;
             script = format!("{}\n{script}", editor.script);
         }
-        let mut packed = element("packed-style", style.as_bytes());
-        packed += &element("packed", script.as_bytes());
+        let mut packed = held("packed-style", &dense(&deflated(style.as_bytes())));
+        packed += &held("packed", &dense(&deflated(script.as_bytes())));
         if let Some(editor) = &self.editor {
             packed += &held("gallery-texts", &editor.gallery);
             packed += &held("packed-module", &dense(&editor.module));
@@ -125,9 +127,9 @@ impl Page {
             packed += &held("book", &escape(&self.book));
         }
         if !self.module.is_empty() {
-            packed += &element("module", &self.module);
+            packed += &held("module", &STANDARD.encode(deflated(&self.module)));
         }
-        self.filled(UNSEEN, &bundle::without_noise(UNPACK), &packed)
+        self.filled(UNSEEN, &(bundle::without_noise(UNDENSE) + &bundle::without_noise(UNPACK)), &packed)
     }
 
     /// The text of the page as a running program serves it.
@@ -167,12 +169,11 @@ impl Page {
     }
 }
 
-/// An element that holds bytes deflated, which the page unpacks.
-fn element(id: &str, bytes: &[u8]) -> String {
+/// Bytes deflated, as the page inflates them.
+fn deflated(bytes: &[u8]) -> Vec<u8> {
     let mut deflated = DeflateEncoder::new(Vec::new(), Compression::best());
     // Writing into memory does not fail.
-    let packed = deflated.write_all(bytes).and_then(|()| deflated.finish()).unwrap_or_default();
-    held(id, &STANDARD.encode(packed))
+    deflated.write_all(bytes).and_then(|()| deflated.finish()).unwrap_or_default()
 }
 
 /// An element that holds a text, which has no `<` in front of a slash.

@@ -8,7 +8,7 @@ use std::ops::Range;
 use plm_compiler::without_panic;
 use plm_draw::{
     Dimension, Drag, Drawn, Edit, End, GROUND, Gesture, Handle, Literal, Picture, Place, Placed, Point,
-    PortName, Refusal, Sheet, TOOLS, Typed, draw, lift,
+    PortName, Refusal, Sheet, SketchPart, TOOLS, Typed, draw, follow, lift,
 };
 use serde_json::{Value, json};
 
@@ -45,6 +45,7 @@ fn answer(name: &str, text: &str, masked: Option<&str>, params: &Value) -> Value
     let sheet = Sheet::read(text, masked);
     match asked["kind"].as_str().unwrap_or_default() {
         "handles" => return handles(&sheet),
+        "sketch" => return sketch(&sheet),
         "tools" => {
             return TOOLS.iter().map(|tool| json!({ "tool": tool.word, "title": tool.title })).collect();
         }
@@ -56,6 +57,10 @@ fn answer(name: &str, text: &str, masked: Option<&str>, params: &Value) -> Value
     };
     let result = match asked["kind"].as_str().unwrap_or_default() {
         "pin" => port(&asked["port"]).map(|port| sheet.pin(&port).iter().map(named).collect()),
+        // A drag that goes on is not laid out.
+        "drag" if asked["live"] == true => {
+            dragged(asked).map(|drag| shown(text, follow(&sheet, &picture, &drag)))
+        }
         "lift" => dragged(asked).map(|drag| lifted(&sheet, &picture, &drag)),
         _ => gesture(asked).map(|gesture| shown(text, draw(&sheet, &picture, &gesture))),
     };
@@ -93,6 +98,23 @@ fn handles(sheet: &Sheet<'_>) -> Value {
         shown
     };
     sheet.handles().iter().map(shown).collect()
+}
+
+/// The text as it is drawn before it is a mechanism.
+fn sketch(sheet: &Sheet<'_>) -> Value {
+    let sketch = sheet.sketch();
+    let port = |placed: &Placed| {
+        let mut shown = named(&placed.name);
+        shown["at"] = json!(placed.at);
+        shown["angle"] = json!(placed.angle);
+        shown["guessed"] = json!(sketch.guessed.contains(&placed.name));
+        shown
+    };
+    let part = |part: &SketchPart| json!({ "name": part.name, "kind": part.kind, "pin": part.is_pin, "ports": part.ports.iter().map(named).collect::<Value>() });
+    json!({
+        "places": sketch.picture.ports.iter().map(port).collect::<Value>(),
+        "parts": sketch.parts.iter().map(part).collect::<Value>(),
+    })
 }
 
 fn lifted(sheet: &Sheet<'_>, picture: &Picture, drag: &Drag) -> Value {
@@ -151,6 +173,8 @@ fn gesture(asked: &Value) -> Result<Gesture, Unread> {
             let ports = [port(&asked["ports"][0])?, port(&asked["ports"][1])?];
             Gesture::Join { tool: word("tool", "tool")?, ports, grid }
         }
+        "slide" => Gesture::Slide { port: port(&asked["port"])?, toward: point(&asked["toward"])?, grid },
+        "unpin" => Gesture::Unpin { port: port(&asked["port"])? },
         "delete" if is_of_port => Gesture::DeletePort { port: port(&asked["port"])? },
         "delete" => Gesture::Delete { name: word("name", "name")? },
         "rename" if is_of_port => {
@@ -251,6 +275,20 @@ pub P {
             "inertia: rod(1 kg, 20 cm); port a: (-10, 0) cm; port b: (10, 0) cm; start angle: 53.13 deg;";
         assert!(made.contains(crank), "{drawn}\n{made}");
         assert_eq!(drawn["to"], json!([0.12, 0.16]));
+        // While it goes on, its values are the same.
+        let live = json!({ "kind": "drag", "live": true, "port": port, "to": [0.12, 0.16], "grid": 1e-3 });
+        assert_eq!(draw(TEXT, live, places.clone())["values"], drawn["values"]);
+        let sketch = draw(TEXT, json!({ "kind": "sketch" }), Value::Null);
+        assert_eq!(
+            sketch["places"][2],
+            json!({ "owner": "crank", "port": "a", "at": [0.0, 0.0], "angle": std::f64::consts::FRAC_PI_2, "guessed": true })
+        );
+        assert_eq!(sketch["parts"][0]["pin"], true);
+        let slide = json!({ "kind": "slide", "port": port, "toward": [0.0, 0.2], "grid": 1e-3 });
+        let made = edited(TEXT, &draw(TEXT, slide, places.clone()));
+        assert!(made.contains("ground { port g1: (0, 100) mm, axis: 90 deg; }"), "{made}");
+        let opened = json!({ "kind": "unpin", "port": { "owner": "crank", "port": "a" } });
+        assert!(!edited(TEXT, &draw(TEXT, opened, places.clone())).contains("revolute"));
         let lift = json!({ "kind": "lift", "port": port, "to": [0.0, 0.1], "grid": 1e-3 });
         let lifted = draw(TEXT, lift, places);
         assert_eq!(lifted["parameters"].as_array().map(Vec::len), drawn["values"].as_array().map(Vec::len));

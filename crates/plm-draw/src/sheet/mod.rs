@@ -5,6 +5,7 @@
 mod expand;
 mod mention;
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use plm_compiler::diag::Diagnostics;
@@ -203,16 +204,18 @@ impl<'t> Sheet<'t> {
     /// All ports of the mechanism, in the order of the text; one of each turn of a `repeat`.
     pub fn handles(&self) -> Vec<Handle<'_>> {
         let mut handles = Vec::new();
+        let driven = self.driven();
         expanded(self.items(), &mut |item, turn| match &item.kind {
             ItemKind::Ground(ports) => {
                 let of_ground =
-                    ports.iter().filter_map(|port| self.handle(GROUND.to_owned(), port, None, turn));
+                    ports.iter().filter_map(|port| self.handle(GROUND.to_owned(), port, (None, false), turn));
                 handles.extend(of_ground);
             }
             ItemKind::Body(body) => {
                 let Some(owner) = turn.name(&body.name) else { return };
+                let of = (Some(body), driven.contains(&owner));
                 let of_body = body.ports.iter();
-                handles.extend(of_body.filter_map(|port| self.handle(owner.clone(), port, Some(body), turn)));
+                handles.extend(of_body.filter_map(|port| self.handle(owner.clone(), port, of, turn)));
             }
             _ => {}
         });
@@ -223,10 +226,9 @@ impl<'t> Sheet<'t> {
         &'s self,
         owner: String,
         port: &'s Port,
-        body: Option<&'s Body>,
+        (body, is_driven): (Option<&'s Body>, bool),
         turn: &Turn<'_>,
     ) -> Option<Handle<'s>> {
-        let is_driven = body.is_some() && self.drives(&owner);
         let name = PortName::new(owner, turn.name(&port.name)?);
         let axes = body.map_or(Axes::Absolute, |body| self.axes(body));
         Some(Handle { name, axes, place: self.place(&port.at), turns: turn.count, is_driven, body })
@@ -242,16 +244,19 @@ impl<'t> Sheet<'t> {
 
     /// Does a constraint prescribe the angle of a body?
     pub(crate) fn drives(&self, body: &str) -> bool {
-        let is_angle = |turn: &Turn<'_>, expr: &Expr| {
-            turn.port(expr).is_some_and(|of| of.owner == body && of.port == "angle")
-        };
-        let mut drives = false;
+        self.driven().contains(body)
+    }
+
+    /// Things whose angles constraints prescribe.
+    fn driven(&self) -> BTreeSet<String> {
+        let mut driven = BTreeSet::new();
         expanded(self.items(), &mut |item, turn| {
             if let ItemKind::Constraint(_, left, right, _) = &item.kind {
-                drives |= is_angle(turn, left) || is_angle(turn, right);
+                let of = [left, right].into_iter().filter_map(|expr| turn.port(expr));
+                driven.extend(of.filter(|of| of.port == "angle").map(|of| of.owner));
             }
         });
-        drives
+        driven
     }
 
     /// Uses of parts with the ports that they join.

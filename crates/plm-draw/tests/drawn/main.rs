@@ -4,5 +4,6 @@
 mod gallery;
 mod lifted;
 mod random;
+mod sketched;
 mod support;
 mod tables;

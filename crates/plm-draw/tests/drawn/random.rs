@@ -87,7 +87,9 @@ fn gesture(draws: &mut Draws, text: &str, picture: &Picture) -> Gesture {
     let names = things(text);
     let name = draws.of(&names).cloned().unwrap_or_default();
     let dimensions = [Dimension::X, Dimension::Y, Dimension::Length, Dimension::Angle];
-    match draws.below(12) {
+    match draws.below(14) {
+        12 => Gesture::Slide { port, toward: to, grid },
+        13 => Gesture::Unpin { port },
         0..3 => Gesture::Drag(drag),
         3..5 => Gesture::Bar { ends, grid },
         5 => Gesture::Ground { port, grid },

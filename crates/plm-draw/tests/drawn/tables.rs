@@ -225,6 +225,68 @@ fn what_cannot_be_moved_is_told() {
     assert_eq!(zero, Err(Refusal::NoLength));
 }
 
+#[test]
+fn a_slider_crank_is_drawn_by_pointer() {
+    let bar = |ends| Gesture::Bar { ends, grid: 1e-3 };
+    let slide = |toward| Gesture::Slide { port: port("bar2.b"), toward, grid: 1e-3 };
+    let mut text = String::new();
+    for gesture in [
+        bar([End::Ground([0.0, 0.0]), End::Point([0.0, 0.05])]),
+        bar([End::Port(port("bar1.b")), End::Point([0.2, 0.0])]),
+    ] {
+        text = made(&text, &gesture).unwrap();
+    }
+    let drawn = made(&text, &slide([0.1, 0.0])).unwrap();
+    assert_eq!(new_lines(&text, &drawn), "ground { port g2: p3; }\npin_slot slide1(ground.g2, bar2.b);\n");
+    // A line has one direction, whichever of its two is drawn.
+    for toward in [[0.3, 0.1], [0.1, -0.1]] {
+        let turned = made(&text, &slide(toward)).unwrap();
+        assert!(turned.contains("ground { port g2: p3, axis: 45 deg; }"), "{turned}");
+    }
+    let driven = made(&drawn, &Gesture::Motor { body: "bar1".to_owned() }).unwrap();
+    assert_eq!(compiled(&driven).problems, [], "{driven}");
+    assert_eq!(plm_draw::layout::formatted(&driven).as_ref(), Ok(&driven));
+    assert_eq!(made(&text, &slide([0.2, 0.0])), Err(Refusal::NoLength));
+    let held = Gesture::Slide { port: port("bar1.a"), toward: [1.0, 0.0], grid: 1e-3 };
+    assert_eq!(made(&text, &held), Err(Refusal::Same(port("bar1.a"), port("ground.g1"))));
+}
+
+#[test]
+fn a_pin_is_opened() {
+    let text = made(TEXT, &Gesture::Unpin { port: port("crank.b") }).unwrap();
+    assert!(!text.contains("revolute b") && text.contains("port b: (5, 0) cm"), "{text}");
+    assert!(text.contains("output crank.angle, rod.angle;"), "{text}");
+    let none = made(&text, &Gesture::Unpin { port: port("crank.b") });
+    assert_eq!(none, Err(Refusal::Unknown("pin of crank.b".to_owned())));
+}
+
+#[test]
+fn a_drawn_bar_has_a_typed_length_and_angle() {
+    let ends = [End::Ground([0.0, 0.0]), End::Point([0.3, -0.4])];
+    let text = made("", &Gesture::Bar { ends, grid: 1e-3 }).unwrap();
+    let typed = |dimension, of: &str| {
+        made(
+            &text,
+            &Gesture::Typed(Typed { port: port("bar1.b"), dimension, text: of.to_owned(), grid: 1e-3 }),
+        )
+    };
+    let longer = typed(Dimension::Length, "1000 mm").unwrap();
+    assert_eq!(new_lines(&text, &longer), "let p2 = (600, -800) mm;\n");
+    let turned = typed(Dimension::Angle, "90 deg").unwrap();
+    assert_eq!(new_lines(&text, &turned), "let p2 = (0, 500) mm;\n");
+    // The number of a place is written as it was typed, though assembly rounds.
+    let mut picture = compiled(&text).picture.unwrap();
+    for placed in &mut picture.ports {
+        placed.angle += 1e-17;
+        placed.at[0] += 1e-17;
+    }
+    let of = Typed { port: port("bar1.b"), dimension: Dimension::Y, text: "-130.0".to_owned(), grid: 1e-3 };
+    let drawn = draw(&Sheet::read(&text, None), &picture, &Gesture::Typed(of)).unwrap();
+    assert_eq!(new_lines(&text, &applied(&text, &drawn.edits)), "let p2 = (300, -130.0) mm;\n");
+    assert_eq!(typed(Dimension::Angle, "3 mm"), Err(Refusal::NoNumber("3 mm".to_owned())));
+    assert_eq!(typed(Dimension::Length, "0"), Err(Refusal::NoLength));
+}
+
 /// A text that is being typed has a tree as far as it goes.
 #[test]
 fn half_a_text_is_drawn_on() {

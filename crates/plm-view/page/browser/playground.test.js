@@ -40,7 +40,7 @@ const shows = (page, name) => page.waitForFunction((to) => window.plmPage.app.li
 test("it is one file, asks nothing of a network, and moves in a second", { skip }, async () => {
   const { size } = statSync(file);
   console.log(`playground of ${size} bytes`);
-  assert.ok(size < 1_200_000, `${size} bytes`);
+  assert.ok(size < 1_400_000, `${size} bytes`);
   assert.ok(!readFileSync(file, "utf8").includes("https://cdn"));
   assert.ok((await openedIn(address)) < 1000);
   const { page, requests, errors } = await playground();

@@ -1,7 +1,7 @@
 // The editor of declarations: CodeMirror, with what the language server says.
 
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory, redo, undo, undoDepth } from "@codemirror/commands";
 import { bracketMatching, foldGutter, foldKeymap, indentOnInput, indentUnit, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
@@ -18,6 +18,19 @@ import { colours, declarations, indentation } from "./highlight.js";
 
 /** Kinds of the protocol, as the list of completions shows them. @type {Record<number, string>} */
 const KINDS = { 3: "function", 5: "property", 6: "variable", 7: "class", 10: "property", 11: "constant", 14: "keyword", 21: "constant" };
+
+/**
+ * Hears of steps that can be undone, and undoes: the page has one history for the text and the picture.
+ * @typedef {{stepped: () => void, undo: () => void, redo: () => void}} Steps
+ */
+
+/** Keys of the page's history. @param {Steps} steps */
+const stepKeys = (steps) =>
+  [
+    { key: "Mod-z", act: steps.undo },
+    { key: "Mod-y", act: steps.redo },
+    { key: "Mod-Shift-z", act: steps.redo },
+  ].map(({ key, act }) => ({ key, run: () => (act(), true), preventDefault: true }));
 
 /** @param {Text} text @param {Place} place */
 function offset(text, { line, character }) {
@@ -89,8 +102,9 @@ function shown(text) {
  * @param {string} text
  * @param {Language} language
  * @param {(text: string) => void} changed called after every change
+ * @param {Steps} steps
  */
-export function makeEditor(parent, text, language, changed) {
+export function makeEditor(parent, text, language, changed, steps) {
   const view = new EditorView({
     parent,
     state: EditorState.create({
@@ -116,9 +130,13 @@ export function makeEditor(parent, text, language, changed) {
         values(language),
         EditorView.contentAttributes.of({ "aria-label": "Declaration" }),
         EditorView.updateListener.of((update) => {
-          if (update.docChanged) changed(update.state.doc.toString());
+          if (!update.docChanged) return;
+          const isBack = update.transactions.some((each) => each.isUserEvent("undo") || each.isUserEvent("redo"));
+          if (!isBack && undoDepth(update.state) !== undoDepth(update.startState)) steps.stepped();
+          changed(update.state.doc.toString());
         }),
         keymap.of([
+          ...stepKeys(steps),
           ...closeBracketsKeymap,
           ...completionKeymap,
           ...lintKeymap,
@@ -154,7 +172,16 @@ export function makeEditor(parent, text, language, changed) {
     mark,
     text: () => view.state.doc.toString(),
     /** Another text, which can be undone. @param {string} other */
-    replace: (other) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: other }, selection: { anchor: 0 } }),
+    replace: (other) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: other }, selection: { anchor: 0 }, annotations: isolateHistory.of("full") }),
+    /** Edits of one deed of a hand: one step, which is shown. @param {Edit[]} edits */
+    gesture: (edits) => {
+      const made = view.state.changes(changes(view.state.doc, edits));
+      const [last] = edits.slice(-1);
+      const at = last === undefined ? null : made.mapPos(offset(view.state.doc, last.range.start), 1);
+      view.dispatch({ changes: made, annotations: isolateHistory.of("full"), ...(at === null ? {} : { effects: EditorView.scrollIntoView(at, { y: "nearest" }) }) });
+    },
+    undo: () => undo(view),
+    redo: () => redo(view),
     /** Edits of the language server. @param {Edit[]} edits */
     edit: (edits) => view.dispatch({ changes: changes(view.state.doc, edits) }),
     /** A place that is shown, with the cursor there. @param {Place} at */

@@ -9,14 +9,14 @@ import { Player } from "./player.js";
 import { readResults } from "./results.js";
 import { growArrows, sceneOf, usualCurves } from "./runview.js";
 import { usualTools } from "./tools.js";
-import { View } from "./view.js";
+import { DRAWING_TOOLS, View } from "./view.js";
 
 /** @import {Run} from "./run.js" */
 /** @import {RunView} from "./runview.js" */
 /** @import {Item} from "./solid.js" */
 /** @import {Area, PresetName, Projection} from "./view.js" */
 
-/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place" | "distance" | "angle"} Mode what dragging does */
+/** @typedef {"pan" | "orbit" | "zoom" | "window" | "info" | "pull" | "place" | "distance" | "angle" | "draw"} Mode what dragging does */
 /** @typedef {"one" | "overlay" | "side"} Layout how several runs are shown */
 /**
  * A body that is pulled or placed: a point of it in its axes, and where it is to go, in absolute axes; or how far it is
@@ -88,6 +88,8 @@ export class App {
     this.drag = null;
     /** @type {Grip | null} */
     this.grip = null;
+    /** What draws, where a declaration is typed. @type {import("./sketch.js").Sketch | null} */
+    this.sketch = null;
     /** Hears why the run that is shown stands still; empty words where it does not. @type {(words: string) => void} */
     this.heardFault = () => {};
     /** Where the mouse is over the picture while nothing is held, in pixels. @type {{x: number, y: number} | null} */
@@ -324,7 +326,7 @@ export class App {
     if (boxes.length > 0) {
       const low = [0, 1, 2].map((axis) => Math.min(...boxes.map((box) => box.low[axis])));
       const high = [0, 1, 2].map((axis) => Math.max(...boxes.map((box) => box.high[axis])));
-      this.view.fit({ low, high }, this.areas()[0]);
+      this.view.fit({ low, high }, this.areas()[0], this.mode === "draw" ? DRAWING_TOOLS : 0);
       this.fitted = JSON.stringify(this.view);
     }
     this.touch();

@@ -195,12 +195,18 @@ export const LIVE_COMMANDS = [
   liveCommand("live tab", "Live", "Shift+L", null, (app) => openTab(app, "live")),
 ];
 
+/** What a page in which a declaration is typed has, too. @type {Command[]} */
+export const PLAY_COMMANDS = [
+  { ...cameraCommand("draw", "Draw in the picture", "Shift+W"), run: (app) => app.sketch?.toggle() },
+  { id: "new sheet", name: "A new sheet", group: "file", icon: "clear", keys: ["Shift+N"], run: (app) => app.sketch?.begin() },
+];
+
 /** @param {App} app */
 export function commandsOf(app) {
   const { live } = app;
   if (live === null) return COMMANDS;
   const isOffered = (/** @type {Command} */ { id }) => (id !== "pull" && id !== "place") || live.modes.includes(id);
-  return [...COMMANDS, ...LIVE_COMMANDS.filter(isOffered)];
+  return [...COMMANDS, ...LIVE_COMMANDS.filter(isOffered), ...(app.sketch === null ? [] : PLAY_COMMANDS)];
 }
 
 /**

@@ -16,6 +16,9 @@ import { openTakeHome, saveText } from "./takehome.js";
 /** Larger files are no declarations. */
 const LARGEST_TEXT = 1 << 20;
 
+/** The code of a mechanism without a body. */
+const NO_BODY = "E0504";
+
 /** The editor, which stands in the page as a script of its own. @returns {typeof import("../editor/editor.js")} */
 const codeEditor = () => /** @type {any} */ (globalThis).plmEditor;
 
@@ -41,6 +44,8 @@ export class EditorPane {
     this.waiting = null;
     /** What the compiler says of the text. */
     this.found = "";
+    /** The name of the step of the text that is made. */
+    this.stepName = "";
     /** How many changes there were. */
     this.changes = 0;
     /** @type {HTMLButtonElement | undefined} */
@@ -58,7 +63,10 @@ export class EditorPane {
       },
       (problems, of) => this.show(problems, of),
     );
-    this.editor = codeEditor().makeEditor(code, text, this.language, (now) => this.changed(now));
+    const { history } = app;
+    const steps = { stepped: () => history.add({ kind: "text", name: this.stepName || "text" }), undo: () => history.undo(), redo: () => history.redo() };
+    this.editor = codeEditor().makeEditor(code, text, this.language, (now) => this.changed(now), steps);
+    history.text = this.editor;
     this.language.change(text);
     this.follow(text);
     this.listenToFiles();
@@ -80,6 +88,7 @@ export class EditorPane {
       "div",
       { class: "row" },
       choose,
+      button("editor-new", "New", () => this.app.sketch?.begin(), "An empty sheet, on which you draw"),
       button("editor-format", "Format", () => void this.format(), "One layout, comments are kept"),
       button("editor-open", "Open…", () => this.open(), "A file from this computer; nothing leaves it"),
       button("editor-save", "Save", () => saveText(this.editor.text()), "The declaration as a file"),
@@ -92,6 +101,13 @@ export class EditorPane {
   begin(example, choose) {
     if (example !== undefined) this.editor.replace(example.text);
     choose.value = "";
+  }
+
+  /** A step of the text under a name. @param {string} name @param {(editor: EditorPane["editor"]) => void} act */
+  step(name, act) {
+    this.stepName = name;
+    act(this.editor);
+    this.stepName = "";
   }
 
   /** @param {string} text */
@@ -113,6 +129,12 @@ export class EditorPane {
 
   /** What is wrong with a text, which moves if nothing is. @param {Problem[]} problems @param {string} text */
   show(problems, text) {
+    // A sheet on which nothing is, or nothing that moves, is no mistake.
+    const isBare = text.trim() === "" || problems.some(({ code }) => code === NO_BODY);
+    if (isBare) {
+      this.showBare(text);
+      return;
+    }
     const errors = problems.filter(({ severity }) => severity === 1).length;
     this.editor.mark(problems);
     const warnings = problems.length - errors;
@@ -137,6 +159,18 @@ export class EditorPane {
     this.waiting = null;
     // What was told is drawn first.
     if (errors === 0) setTimeout(() => void this.declare(text));
+  }
+
+  /** Nothing moves yet. @param {string} text */
+  showBare(text) {
+    this.editor.mark([]);
+    this.problems.replaceChildren();
+    this.found = text.trim() === "" ? "An empty sheet." : "Nothing moves yet: there is no body.";
+    this.root.dataset["state"] = "good";
+    setText(this.state, this.found);
+    if (text !== this.waiting) return;
+    this.waiting = null;
+    this.exchange.clear();
   }
 
   /** Makes a mechanism of a text without errors; why it is none, or does not start, stands beside it. @param {string} text */

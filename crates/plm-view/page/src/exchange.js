@@ -1,5 +1,6 @@
 // One mechanism in the place of another: the last good text is what moves.
 
+import { element } from "./dom.js";
 import { Live } from "./live.js";
 import { LivePanel } from "./livepanel.js";
 import { readResults } from "./results.js";
@@ -32,6 +33,8 @@ export class Exchange {
     this.shown = null;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.timer = undefined;
+    /** The text of what is shown; null where nothing is. @type {string | null} */
+    this.text = null;
     /** How many mechanisms have been shown. */
     this.count = 0;
     /** Why the last text is no mechanism; empty where it is one. */
@@ -41,9 +44,10 @@ export class Exchange {
   /**
    * Makes a mechanism of a text, and shows it where it is one; a text before that is not done is given up.
    * @param {string} text
+   * @param {boolean} [isLifted] whether numbers of it are parameters while a hand holds them
    * @returns {Promise<boolean | null>} whether it is shown; null where another text came between
    */
-  declare(text) {
+  declare(text, isLifted = false) {
     this.drop();
     const candidate = this.spare ?? this.start();
     this.spare = null;
@@ -70,8 +74,9 @@ export class Exchange {
           if (this.candidate !== candidate) end(null);
           else {
             this.why = "";
+            this.text = text;
             end(true);
-            this.show(runs[0].head, candidate);
+            this.show(runs[0].head, candidate, isLifted);
           }
         } else refuse("text" in data ? data.text : "");
       };
@@ -87,28 +92,65 @@ export class Exchange {
     candidate?.onmessage?.(new MessageEvent("message", { data: { kind: "broken", text: "" } }));
   }
 
-  /** @param {import("./format.js").RunHead} head @param {Carrier} worker */
-  show(head, worker) {
+  /** Nothing is shown any more: a sheet on which nothing is. */
+  clear() {
+    const { app } = this;
+    this.drop();
+    this.text = null;
+    app.live?.pause();
+    app.live = null;
+    app.runViews = [];
+    app.selected = null;
+    app.messages = [];
+    document.querySelector("h1")?.replaceChildren("Drawing");
+    app.change();
+  }
+
+  /** @param {import("./format.js").RunHead} head @param {Carrier} worker @param {boolean} isLifted */
+  show(head, worker, isLifted) {
     const { app } = this;
     const before = app.live;
+    const keepLook = lookOf(app);
     this.shown?.terminate();
     this.shown = worker;
     app.messages = [];
     const live = new Live(app, head, null, worker);
+    live.isLifted = isLifted;
     app.live = live;
     // What dragging does is that of the machine, unless somebody has chosen otherwise.
     if (before !== null && app.mode === before.usualMode) app.mode = live.usualMode;
     app.replaceRuns([live.run]);
+    keepLook();
     if (before !== null) keepSettings(before, live);
     // A view that somebody has chosen stays as long as it is the same mechanism.
     if (before?.mechanism.name !== head.mechanism.name || before.followCamera.chosen !== null) live.followCamera.choose();
     this.count += 1;
-    const goesOn = before?.isRunning ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    // Who draws stands at the start.
+    const goesOn = app.mode !== "draw" && (before?.isRunning ?? !matchMedia("(prefers-reduced-motion: reduce)").matches);
     if (goesOn) live.start();
     document.title = head.mechanism.name;
     document.querySelector("h1")?.replaceChildren(head.mechanism.name);
     app.change();
   }
+}
+
+/**
+ * What is selected and which paths are drawn stays over an exchange, where there still is what has these names; gives what does that.
+ * @param {App} app
+ */
+function lookOf(app) {
+  const { selected, traces, run } = app;
+  const isChosen = traces.join() !== app.usualTraces.join();
+  const list = (/** @type {import("./format.js").Mechanism} */ { bodies, parts, ground }) => ({ body: bodies, part: parts, port: ground });
+  const name = selected === null || run === null ? null : list(run.mechanism)[selected.kind][selected.index]?.name;
+  return () => {
+    const { mechanism } = /** @type {import("./run.js").Run} */ (app.run);
+    const index = selected === null ? -1 : list(mechanism)[selected.kind].findIndex((each) => each.name === name);
+    if (selected !== null && index >= 0) app.selected = { kind: selected.kind, index };
+    const bodies = new Set(mechanism.bodies.map((body) => body.name));
+    const kept = traces.filter((each) => bodies.has(each.split(".")[0]));
+    if (kept.length > 0 && (isChosen || app.mode === "draw")) app.traces = kept;
+  };
 }
 
 /** What was turned by hand stays so, where the text has not changed it. @param {Live} before @param {Live} live */
@@ -137,7 +179,12 @@ export class LiveTab {
 
   update() {
     const { live } = this.app;
-    if (live !== this.of && live !== null) {
+    // While a hand holds numbers the page shows those of the text.
+    if (live === null && this.of !== null) {
+      [this.of, this.panel] = [null, null];
+      this.sheet.replaceChildren(element("p", { class: "hint" }, "Nothing moves yet."));
+    }
+    if (live !== this.of && live !== null && !live.isLifted) {
       this.of = live;
       this.sheet.replaceChildren();
       this.panel = new LivePanel(this.app, live, this.sheet);

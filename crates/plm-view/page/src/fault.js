@@ -15,3 +15,15 @@ export function faultWords({ run, live }) {
   const when = isLive && live?.isAssembled === false ? "It does not start" : `${what} at ${timeText(fault.time, fault.time)}`;
   return `${when}: ${where}${withShortNumbers(fault.text)}`;
 }
+
+/** What is missing at a start that cannot be assembled. @param {import("./worker.js").Trouble | null} trouble */
+export function missingWords(trouble) {
+  if (trouble === null) return "it cannot be assembled";
+  return Number.isFinite(trouble.gap) ? `${lengthText(trouble.gap)} missing: ${trouble.part}` : trouble.text.split("\n")[0];
+}
+
+/** A length in the unit in which people say it. @param {number} length m */
+export function lengthText(length) {
+  const [size, unit] = length < 1 ? [1000 * length, "mm"] : [length, "m"];
+  return `${Number(size.toPrecision(3))} ${unit}`;
+}

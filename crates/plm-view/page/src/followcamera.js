@@ -35,6 +35,8 @@ export class FollowCamera {
 
   /** Shows everything, and goes on to do so. */
   choose() {
+    // Who draws keeps the sheet where it is.
+    if (this.app.mode === "draw") return;
     this.app.zoomToExtents();
     this.chosen = new View();
     this.chosen.copy(this.app.view);

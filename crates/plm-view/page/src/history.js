@@ -29,10 +29,10 @@ const SLID = [SHOWN.arrowFactor, SHOWN.ghosts];
 
 /**
  * Something that was done. `show`: members of the app before and after it. `set`: a parameter or an input, SI. `state`: the mechanism as
- * a whole, by the numbers under which its states are kept.
+ * a whole, by the numbers under which its states are kept. `text`: a step of the text that is typed, which the editor keeps.
  * @typedef {{kind: "show", name: string, from: {[member: string]: any}, to: {[member: string]: any}}
  *   | {kind: "set", name: string, of: "parameter" | "input", index: number, from: number, to: number}
- *   | {kind: "state", name: string, from: number, to: number}} Deed
+ *   | {kind: "state", name: string, from: number, to: number} | {kind: "text", name: string}} Deed
  */
 
 /** Deeds that are kept. */
@@ -54,6 +54,8 @@ export class History {
     this.hasActed = false;
     this.isBusy = false;
     this.states = 0;
+    /** Takes steps of the text back, and does them again. @type {{undo: () => void, redo: () => void} | null} */
+    this.text = null;
     /** The drag that was kept last: all of it is one deed. @type {import("./app.js").Drag | null} */
     this.drag = null;
     this.lastAt = -Infinity;
@@ -61,11 +63,12 @@ export class History {
     this.of = null;
   }
 
-  /** Another mechanism has a history of its own. */
+  /** What was done to another mechanism cannot be undone on this one; steps of the text can. */
   watchMechanism() {
     const of = this.app.live ?? this.app.bytes;
     if (of === this.of) return;
-    [this.of, this.done, this.undone] = [of, [], []];
+    const ofText = (/** @type {Deed[]} */ deeds) => deeds.filter(({ kind }) => kind === "text");
+    [this.of, this.done, this.undone] = [of, ofText(this.done), ofText(this.undone)];
   }
 
   /** What is shown now. @returns {{[member: string]: any}} */
@@ -103,7 +106,7 @@ export class History {
     this.undone = [];
     if (isSame) {
       // Its state before stays; that after it is taken when it is undone.
-      if (last.kind !== "state") last.to = deed.to;
+      if (last.kind !== "state" && last.kind !== "text" && deed.kind !== "text") last.to = deed.to;
       return;
     }
     this.done.push(deed);
@@ -142,7 +145,8 @@ export class History {
     say(app, deed === undefined ? `Nothing to ${side === "from" ? "undo" : "do again"}` : `${side === "from" ? "Undone" : "Done again"}: ${deed.name}`);
     if (deed === undefined) return;
     this.isBusy = true;
-    if (deed.kind === "set") app.live?.set(deed.of, deed.index, deed[side]);
+    if (deed.kind === "text") this.text?.[side === "from" ? "undo" : "redo"]();
+    else if (deed.kind === "set") app.live?.set(deed.of, deed.index, deed[side]);
     else if (deed.kind === "show") for (const [member, value] of Object.entries(deed[side])) ownerOf(app, member)[member] = structuredClone(value);
     else app.live?.states.comeBack(deed[side], deed[side === "from" ? "to" : "from"]);
     this.isBusy = false;

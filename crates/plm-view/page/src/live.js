@@ -2,6 +2,7 @@
 //
 // A live source adds a `Run` by `app.addRun`, appends rows, calls `app.rowsAppended`, and adds its tab by `panel.add`.
 
+import { lengthText } from "./fault.js";
 import { FollowCamera } from "./followcamera.js";
 import { KeptStates } from "./keptstates.js";
 import { Run } from "./run.js";
@@ -36,6 +37,8 @@ export class Live {
     this.isRunning = false;
     this.isAssembled = false;
     this.isBroken = false;
+    /** Whether numbers of its text are parameters while a hand holds them. */
+    this.isLifted = false;
     /** Whether it runs in this page, and nowhere else. */
     this.isInPage = true;
     /** Why nothing is heard of it, in words. */
@@ -57,6 +60,10 @@ export class Live {
     /** @type {Pull | null} */
     this.pulled = null;
     this.states = new KeptStates(this);
+    /** What is wrong with its start; null where nothing is. @type {import("./worker.js").Trouble | null} */
+    this.trouble = null;
+    /** Hears the path of a point once parameters are set together. @type {(path: number[]) => void} */
+    this.whenDragged = () => {};
     /** What it has opened, in words. */
     this.opened = "";
     /** Rises with the settings. */
@@ -266,11 +273,13 @@ export class Live {
     else if (message.kind === "contacts") this.contacts = message.contacts;
     else if (message.kind === "trouble") {
       const { trouble } = message;
+      this.trouble = trouble;
       this.run.fault = trouble === null ? null : { time: trouble.time, part: trouble.part, text: trouble.text };
       this.opened = this.openText(trouble);
       this.app.tellFault();
       this.app.change();
-    } else if (message.kind === "placed") {
+    } else if (message.kind === "dragged") this.whenDragged(message.path);
+    else if (message.kind === "placed") {
       const { next } = this.placing;
       this.placing = { isAsked: next !== null, next: null };
       if (next !== null) this.send(next);
@@ -376,12 +385,6 @@ export class Live {
     const from = Math.min(recordsFrom ?? Infinity, run.end - LIVE_WINDOW);
     if (run.start < from) run.dropBefore(from);
   }
-}
-
-/** A length in the unit in which people say it. @param {number} length m */
-function lengthText(length) {
-  const [size, unit] = length < 1 ? [1000 * length, "mm"] : [length, "m"];
-  return `${Number(size.toPrecision(3))} ${unit}`;
 }
 
 /** What cannot be assembled has no ground: it is where it is declared. @param {Run} run */

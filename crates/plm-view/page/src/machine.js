@@ -2,7 +2,7 @@
 //
 // `LiveMachine`, `instanceOf` and `writeText` go into workers as text, so that they use nothing from outside of themselves.
 
-/** @import {FromWorker, Pull, Trouble} from "./worker.js" */
+/** @import {FromWorker, Pull, Trace, Trouble} from "./worker.js" */
 
 /**
  * What a module exports: `crates/plm-view/src/live/shim.rs`.
@@ -216,6 +216,33 @@ export class LiveMachine {
       // Whether it can be assembled so is known at once.
       if (kind === "parameter") this.tellTrouble();
     }
+  }
+
+  /**
+   * Sets parameters together, and begins once; the path that a point will have comes with the answer.
+   * @param {[number, number][]} values by index, SI
+   * @param {Trace | null} trace
+   */
+  setAll(values, trace) {
+    for (const [index, value] of values) this.exports.plm_set_parameter(index, value);
+    const path = trace === null ? [] : this.pathOf(trace);
+    this.begin("restart");
+    this.send({ kind: "dragged", path });
+  }
+
+  /** The path of a point from the start on: x and y in turn. @param {Trace} trace */
+  pathOf({ body, point, duration, most }) {
+    /** @type {number[]} */
+    const path = [];
+    const began = performance.now();
+    if (this.exports.plm_restart() !== 1) return path;
+    for (const [index, value] of this.inputs) this.exports.plm_set_input(index, value);
+    do {
+      this.read();
+      const { x, y } = this.pointOf(body, point);
+      path.push(x, y);
+    } while (this.now[0] < duration && performance.now() - began < most && this.exports.plm_step(0.01) === 1);
+    return path;
   }
 
   /**

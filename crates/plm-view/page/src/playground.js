@@ -1,5 +1,6 @@
 // Playground entry: starts a page in which a mechanism is typed.
 
+import { byId } from "./dom.js";
 import { undense } from "./dense.js";
 import { dragTool, listenToDragKeys } from "./drag.js";
 import { EditorPane } from "./editorpane.js";
@@ -7,6 +8,10 @@ import { Exchange, LiveTab } from "./exchange.js";
 import { unlzma } from "./lzma.js";
 import { startPage } from "./main.js";
 import { unpackText } from "./packedtext.js";
+import { Pencil } from "./pencil.js";
+import { Sketch } from "./sketch.js";
+import { SketchBar } from "./sketchbar.js";
+import { drawSheet, drawSketch } from "./sketchdraw.js";
 import { startWorker } from "./startworker.js";
 
 /** @import {App} from "./app.js" */
@@ -47,8 +52,30 @@ async function beginPlay(app) {
   if (isShown !== true) await exchange.declare(gallery[0].text);
   app.mode = app.live?.usualMode ?? "pan";
   const pane = new EditorPane(app, exchange, gallery, text);
-  Object.assign(window, { plmPlay: { exchange, pane } });
+  const sketch = drawIn(app, exchange, module, pane);
+  Object.assign(window, { plmPlay: { exchange, pane, sketch } });
   return (panel) => panel.add("live", "Live", (sheet) => new LiveTab(app, sheet));
+}
+
+/**
+ * Draws in the picture of the text.
+ * @param {App} app
+ * @param {Exchange} exchange
+ * @param {WebAssembly.Module} module
+ * @param {EditorPane} pane
+ */
+function drawIn(app, exchange, module, pane) {
+  const sketch = new Sketch(app, exchange, new Pencil(module));
+  sketch.pane = pane;
+  app.sketch = sketch;
+  const bar = new SketchBar(sketch, byId("stage", HTMLElement));
+  byId("empty", HTMLElement).replaceChildren("An empty sheet.");
+  sketch.drawBelow = (pen) => drawSheet(pen, sketch);
+  sketch.drawOver = (pen) => {
+    drawSketch(pen, sketch);
+    bar.update();
+  };
+  return sketch;
 }
 
 void startPage(beginPlay);

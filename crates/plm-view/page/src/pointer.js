@@ -49,7 +49,9 @@ export function listenToPointers(app, canvas) {
     down.set(event.pointerId, spot(event));
     app.grip?.letGo();
     drag = down.size === 1 ? new Drag(spot(event), modeOf(app, event), event.pointerType === "touch") : null;
-    if (drag?.mode === "pull" || drag?.mode === "place") startHand(app, drag);
+    if (drag === null) app.sketch?.cancel();
+    else if (drag.mode === "draw") startDrawing(app, drag, event);
+    else if (drag.mode === "pull" || drag.mode === "place") startHand(app, drag);
   });
   canvas.addEventListener("pointermove", (event) => {
     const before = down.get(event.pointerId);
@@ -62,13 +64,14 @@ export function listenToPointers(app, canvas) {
     const at = spot(event);
     if (down.size === 2) pinch(app, down, event.pointerId, at);
     down.set(event.pointerId, at);
-    if (drag !== null) moveDrag(app, drag, at);
+    if (drag !== null) moveDrag(app, drag, at, event.altKey);
     app.touch();
   });
   const release = (/** @type {PointerEvent} */ event) => {
     down.delete(event.pointerId);
     app.grip?.letGo();
-    if (drag !== null && event.type === "pointerup") endDrag(app, drag, event.button);
+    if (drag?.mode === "draw") endDrawing(app, drag, event, spot(event));
+    else if (drag !== null && event.type === "pointerup") endDrag(app, drag, event.button);
     drag = null;
     app.touch();
   };
@@ -79,7 +82,7 @@ export function listenToPointers(app, canvas) {
     app.touch();
   });
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-  canvas.addEventListener("dblclick", () => app.zoomToExtents());
+  canvas.addEventListener("dblclick", () => app.mode !== "draw" && app.zoomToExtents());
   canvas.addEventListener(
     "wheel",
     (event) => {
@@ -129,12 +132,30 @@ function startHand(app, drag) {
   if (!isHeld || !app.grip?.grab(kind, item.index, app.view.projection(areaAt(app, drag.from)), x, y)) drag.mode = "pan";
 }
 
-/** @param {App} app @param {Drag} drag @param {Spot} at */
-function moveDrag(app, drag, at) {
+/** What a press means to who draws; where it means nothing, dragging pans. @param {App} app @param {Drag} drag @param {PointerEvent} event */
+function startDrawing(app, drag, event) {
+  const how = { ...drag.how, isShift: event.shiftKey, isAlt: event.altKey };
+  const { x, y } = drag.from;
+  if (app.sketch?.press(app.view.projection(app.area), x, y, how) !== true) drag.mode = "pan";
+}
+
+/** @param {App} app @param {Drag} drag @param {PointerEvent} event @param {Spot} at */
+function endDrawing(app, drag, event, at) {
+  const how = { ...drag.how, isShift: event.shiftKey, isAlt: event.altKey, hasMoved: drag.hasMoved };
+  if (event.type === "pointerup") app.sketch?.release(app.view.projection(app.area), at.x, at.y, how);
+  else app.sketch?.cancel();
+}
+
+/** @param {App} app @param {Drag} drag @param {Spot} at @param {boolean} isAlt */
+function moveDrag(app, drag, at, isAlt) {
   const [dx, dy] = [at.x - drag.last.x, at.y - drag.last.y];
   drag.hasMoved ||= Math.hypot(at.x - drag.from.x, at.y - drag.from.y) > CLICK;
   if (!drag.hasMoved) return;
   drag.last = at;
+  if (drag.mode === "draw") {
+    app.sketch?.held?.move(app.view.projection(app.area), at.x, at.y, { ...drag.how, isAlt });
+    return;
+  }
   const { dx: fromX, dy: fromY } = fromMiddle(app, drag.from);
   if (drag.mode === "pull" || drag.mode === "place") {
     app.grip?.move(app.view.projection(areaAt(app, drag.from)), at.x, at.y);

@@ -36,8 +36,10 @@ export class Stage {
     context.fillStyle = app.palette.background;
     context.fillRect(0, 0, width, height);
     const pen = new CanvasPen(context);
+    if (app.sketch !== null) app.sketch.drawBelow(pen);
     drawPicture(pen, app);
-    this.nameHovered(pen);
+    if (app.mode !== "draw") this.nameHovered(pen);
+    app.sketch?.drawOver(pen);
     parts.canvas.dataset["mode"] = app.mode;
     parts.empty.hidden = app.run !== null;
     if (this.told !== app.revision) {

@@ -19,6 +19,9 @@ export const PRESETS = /** @type {const} */ ({
 
 /** @typedef {keyof typeof PRESETS} PresetName */
 
+/** The height of the tools of drawing over a picture, in pixels. */
+export const DRAWING_TOOLS = 52;
+
 export class View {
   constructor() {
     this.azimuth = 0;
@@ -105,8 +108,9 @@ export class View {
    * Shows the whole of a box.
    * @param {Box} box
    * @param {Area} area
+   * @param {number} [above] pixels at its top that are to stay free
    */
-  fit(box, area) {
+  fit(box, area, above = 0) {
     const middle = box.low.map((low, axis) => 0.5 * (low + box.high[axis]));
     const half = box.low.map((low, axis) => 0.5 * (box.high[axis] - low));
     const [right, up] = this.axes();
@@ -114,9 +118,10 @@ export class View {
       axis.reduce((sum, part, at) => sum + Math.abs(part) * half[at], 0);
     const margin = Math.min(48, 0.08 * Math.min(area.width, area.height));
     const wide = (area.width - 2 * margin) / Math.max(2 * reach(right), 1e-9);
-    const tall = (area.height - 2 * margin) / Math.max(2 * reach(up), 1e-9);
+    const tall = (area.height - above - 2 * margin) / Math.max(2 * reach(up), 1e-9);
     this.target = middle;
     this.scale = clamp(Math.min(wide, tall), 1e-6, 1e9);
+    if (above > 0) this.pan(0, 0.5 * above);
   }
 
   /**

@@ -9,6 +9,8 @@ import { LiveMachine, instanceOf, writeText } from "./machine.js";
 /**
  * A spring from a point of a body (in its axes) to a target in absolute axes; or a constant force, N.
  * @typedef {{body: number, point: number[], target: number[], stiffness: number, damping: number, force: number[] | null}} Pull
+ * A point of a body whose path is asked for: for so many seconds of the run, in no more than `most` ms.
+ * @typedef {{body: number, point: number[], duration: number, most: number}} Trace
  * A row of contact, and what it does: `closed`, `slips forwards`.
  * @typedef {{name: string, mode: string}} Contact
  */
@@ -22,14 +24,16 @@ import { LiveMachine, instanceOf, writeText } from "./machine.js";
  * @typedef {{kind: "load", wasm: Uint8Array | null, parameters: number, inputs: number}
  *   | {kind: "declare", module: WebAssembly.Module, text: string} | {kind: "run" | "pause" | "restart" | "reset"}
  *   | {kind: "speed", speed: number} | {kind: "step", dt: number, count: number}
- *   | {kind: "parameter" | "input", index: number, value: number} | {kind: "pull", pull: Pull | null}
+ *   | {kind: "parameter" | "input", index: number, value: number} | {kind: "parameters", values: [number, number][], trace: Trace | null}
+ *   | {kind: "pull", pull: Pull | null}
  *   | {kind: "place", body: number, point: number[], target: number[], turn: number}
  *   | {kind: "ahead", duration: number} | {kind: "keep" | "return", id: number}} ToWorker
  * @typedef {{kind: "declared", results: Uint8Array | null, text: string} | {kind: "rows", width: number, numbers: Float64Array}
  *   | {kind: "ahead", width: number, numbers: Float64Array}
  *   | {kind: "returned", numbers: Float64Array, id: number}
  *   | {kind: "began", numbers: Float64Array, isAssembled: boolean}
- *   | {kind: "trouble", trouble: Trouble | null} | {kind: "contacts", contacts: Contact[]} | {kind: "placed"} | {kind: "broken", text: string}
+ *   | {kind: "trouble", trouble: Trouble | null} | {kind: "contacts", contacts: Contact[]} | {kind: "placed"}
+ *   | {kind: "dragged", path: number[]} | {kind: "broken", text: string}
  *   | {kind: "settings", parameters: number[], inputs: number[], shape: Float64Array, sizeNames: string}} FromWorker
  */
 
@@ -93,6 +97,7 @@ export function liveWorker(scope) {
     else if (message.kind === "speed") speed = message.speed;
     else if (message.kind === "restart" || message.kind === "reset") on.begin(message.kind);
     else if (message.kind === "parameter" || message.kind === "input") on.set(message.kind, message.index, message.value);
+    else if (message.kind === "parameters") on.setAll(message.values, message.trace);
     else if (message.kind === "pull") on.setPull(message.pull);
     else if (message.kind === "keep") on.keep(message.id);
     else if (message.kind === "return") on.comeBack(message.id);

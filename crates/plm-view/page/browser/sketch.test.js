@@ -1,0 +1,411 @@
+// Drawing in the playground by pointer alone: mechanisms from an empty page, drags, one history, what is wrong.
+
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { packText } from "../src/packedtext.js";
+import { open, settle, shot, skip as withoutBrowser, state, until } from "./support/browser.js";
+
+const file = process.env["PLM_PLAYGROUND"] ?? "";
+const skip =
+  withoutBrowser || (existsSync(file) ? false : "skipped: there is no playground; `bash examples/playground/build.sh` makes it, and PLM_PLAYGROUND names it");
+const address = skip ? "" : pathToFileURL(file).href;
+/** Between two actions of a hand, ms. */
+const PAUSE = 300;
+
+const typed = (page) => page.evaluate(() => window.plmPlay.pane.editor.text());
+const problems = (page) => page.locator("#problems li").allTextContents();
+const isCurrent = (page) => page.waitForFunction(() => window.plmPlay.sketch.isCurrent && window.plmPage.app.live.run.rows > 0);
+
+async function playground(text = null, how = {}) {
+  const hash = text === null ? "" : `#text=${await packText(text)}`;
+  const opened = await open(address, { plays: true, hash, ...how });
+  await opened.page.waitForFunction(() => window.plmPage.app.live.run.rows > 3);
+  return opened;
+}
+
+/** Where a place of the sheet, mm, is on the page. */
+const onScreen = (page, x, y) =>
+  page.evaluate(
+    ([px, py]) => {
+      const { app } = window.plmPage;
+      const { left, top } = document.querySelector("#picture").getBoundingClientRect();
+      const [sx, sy] = app.view.projection(app.area).point(px / 1000, py / 1000, 0);
+      return [left + sx, top + sy];
+    },
+    [x, y],
+  );
+
+/** A hand with a pointer alone. */
+function handOn(page) {
+  const rest = () => page.waitForTimeout(PAUSE);
+  const at = async (x, y) => page.mouse.move(...(await onScreen(page, x, y)), { steps: 4 });
+  return {
+    press: async (x, y) => {
+      await at(x, y);
+      await page.mouse.down();
+      await page.mouse.up();
+      await rest();
+    },
+    take: async (id) => {
+      await page.click(`#${id}`);
+      await rest();
+    },
+    drag: async (from, to, meanwhile = async () => {}) => {
+      await at(...from);
+      await page.mouse.down();
+      const [[x0, y0], [x1, y1]] = [await onScreen(page, ...from), await onScreen(page, ...to)];
+      for (let k = 1; k <= 10; k++) {
+        await page.mouse.move(x0 + ((x1 - x0) * k) / 10, y0 + ((y1 - y0) * k) / 10);
+        await page.waitForTimeout(20);
+      }
+      await meanwhile();
+      await page.mouse.up();
+      await rest();
+    },
+  };
+}
+
+/** What is drawn is a text in its layout, without diagnostics, and moves. */
+async function isWhole(page) {
+  await isCurrent(page);
+  await until(page, async () => (await page.locator("#editor-state").textContent()) === "Nothing is wrong.", "nothing is wrong");
+  assert.deepEqual(await problems(page), []);
+  const text = await typed(page);
+  assert.deepEqual(await page.evaluate(() => window.plmPlay.pane.language.layout()), []);
+  return text;
+}
+
+/** How far the bars turn in the next second. */
+async function turnsOn(page, body) {
+  const angle = () => page.evaluate((name) => {
+    const { run } = window.plmPage.app.live;
+    const index = run.mechanism.bodies.findIndex((each) => each.name === name);
+    return run.poses.at(run.rows - 1, 6 * index + 2);
+  }, body);
+  const before = await angle();
+  await page.click("#do-toggle");
+  await until(page, async () => Math.abs((await angle()) - before) > 1, `${body} turns`);
+  assert.equal(await state(page, "app.live.run.fault"), null);
+}
+
+test("a four-bar is drawn from an empty page by pointer alone", { skip }, async () => {
+  const { page, errors } = await playground();
+  const began = Date.now();
+  const hand = handOn(page);
+  await hand.take("editor-new");
+  assert.equal(await typed(page), "");
+  assert.equal(await page.locator("#editor-state").textContent(), "An empty sheet.");
+  await shot(page, "draw-empty");
+  await hand.press(0, 0);
+  await hand.press(40, 60);
+  await hand.press(40, 60);
+  await hand.press(240, 140);
+  await hand.press(240, 140);
+  await hand.press(200, 0);
+  await hand.take("sketch-ground");
+  await hand.press(0, 0);
+  await hand.press(200, 0);
+  await hand.take("sketch-motor");
+  await hand.press(0, 0);
+  const text = await isWhole(page);
+  console.log(`a four-bar in ${((Date.now() - began) / 1000).toFixed(1)} s\n${text}`);
+  assert.ok(Date.now() - began < 60_000);
+  assert.equal((text.match(/body bar/g) ?? []).length, 3);
+  assert.equal((text.match(/let p/g) ?? []).length, 4);
+  await shot(page, "draw-four-bar");
+  await turnsOn(page, "bar1");
+  assert.deepEqual(errors, []);
+});
+
+test("a slider-crank is drawn from an empty page by pointer alone", { skip }, async () => {
+  const { page, errors } = await playground();
+  const began = Date.now();
+  const hand = handOn(page);
+  await hand.take("editor-new");
+  await hand.press(0, 0);
+  await hand.press(0, 50);
+  await hand.press(0, 50);
+  await hand.press(200, 0);
+  await hand.take("sketch-ground");
+  await hand.press(0, 0);
+  await hand.take("sketch-slide");
+  await hand.press(200, 0);
+  await hand.press(300, 2);
+  await hand.take("sketch-motor");
+  await hand.press(0, 0);
+  const text = await isWhole(page);
+  console.log(`a slider-crank in ${((Date.now() - began) / 1000).toFixed(1)} s\n${text}`);
+  assert.ok(Date.now() - began < 60_000);
+  assert.match(text, /pin_slot slide1\(ground\.g2, bar2\.b\);/);
+  await shot(page, "draw-slider-crank");
+  await turnsOn(page, "bar1");
+  // Where the slide stands is told by the lengths of crank and rod.
+  const [angle, slide] = await page.evaluate(() => {
+    const { run } = window.plmPage.app.live;
+    const row = run.rows - 1;
+    const [x, y, turn] = [0, 1, 2].map((axis) => run.poses.at(row, 6 + axis));
+    const port = run.mechanism.bodies[1].ports.find(({ name }) => name === "b");
+    const end = [x + Math.cos(turn) * port.x - Math.sin(turn) * port.y, y + Math.sin(turn) * port.x + Math.cos(turn) * port.y];
+    return [run.poses.at(row, 2), end];
+  });
+  const [crank, rod] = [0.05, Math.hypot(0.2, 0.05)];
+  const pin = [-crank * Math.sin(angle), crank * Math.cos(angle)];
+  assert.ok(Math.abs(slide[1]) < 1e-9 && Math.abs(slide[0] - (pin[0] + Math.sqrt(rod * rod - pin[1] * pin[1]))) < 1e-9, String(slide));
+  assert.deepEqual(errors, []);
+});
+
+/** A four-bar that was drawn, as a text. */
+const FOUR_BAR = `pub Drawing {
+    gravity: 9.81 m/s^2;
+    let steel = 7850 kg/m^3;
+    let p1 = (0, 0) mm;
+    let p2 = (40, 60) mm;
+    body bar1 { coordinates: absolute; width: 20 mm; thickness: 5 mm; density: steel; port a: p1; port b: p2; }
+    let p3 = (240, 140) mm;
+    body bar2 { coordinates: absolute; width: 20 mm; thickness: 5 mm; density: steel; port a: p2; port b: p3; }
+    let p4 = (200, 0) mm;
+    body bar3 { coordinates: absolute; width: 20 mm; thickness: 5 mm; density: steel; port a: p3; port b: p4; }
+    ground { port g1: p1; }
+    ground { port g2: p4; }
+    revolute pin1(bar1.b, bar2.a);
+    revolute pin2(bar2.b, bar3.a);
+    revolute pin3(ground.g1, bar1.a);
+    revolute pin4(ground.g2, bar3.b);
+    constraint motor1: bar1.angle = 60 rev/min*t;
+}
+`;
+
+/** The playground with a text on which somebody draws. */
+async function drawing(text = FOUR_BAR, how = {}) {
+  const opened = await playground(text, how);
+  await opened.page.click("#sketch-draw");
+  await opened.page.click("#sketch-move");
+  await isCurrent(opened.page);
+  await opened.page.waitForFunction(() => window.plmPage.app.live.run.rows === 1);
+  return { ...opened, hand: handOn(opened.page) };
+}
+
+/** Where a port stands in the picture, mm. */
+const portAt = (page, owner, port) =>
+  page.evaluate(
+    ([body, name]) => window.plmPlay.sketch.places().find((place) => place.owner === body && place.port === name)?.at.map((part) => 1000 * part),
+    [owner, port],
+  );
+
+const isNear = ([x, y], [a, b], within = 1e-9) => Math.hypot(x - a, y - b) < within;
+
+test("a pin is dragged with the path of a point, and one undo gives the bytes back", { skip }, async () => {
+  const { page, errors, hand } = await drawing();
+  let path = 0;
+  await hand.drag([240, 140], [260, 160], async () => {
+    await until(page, async () => (path = await page.evaluate(() => window.plmPlay.sketch.held.path.length / 2)) > 20, "the path is drawn");
+    // While it is held the text stays, and the picture goes.
+    assert.equal(await typed(page), FOUR_BAR);
+    assert.ok(isNear(await portAt(page, "bar2", "b"), [260, 160]), String(await portAt(page, "bar2", "b")));
+    await shot(page, "draw-held");
+  });
+  console.log(`${path} points of the path`);
+  const moved = FOUR_BAR.replace("(240, 140)", "(260, 160)");
+  assert.equal(await typed(page), moved);
+  await isWhole(page);
+  assert.ok(isNear(await portAt(page, "bar2", "b"), [260, 160]));
+  await page.click("#sketch-undo");
+  assert.equal(await typed(page), FOUR_BAR);
+  await isCurrent(page);
+  await page.keyboard.press("Control+Y");
+  assert.equal(await typed(page), moved);
+  // Esc takes back what is held.
+  await isCurrent(page);
+  await hand.drag([260, 160], [200, 100], async () => page.keyboard.press("Escape"));
+  assert.equal(await typed(page), moved);
+  await isCurrent(page);
+  assert.deepEqual(errors, []);
+});
+
+test("text and picture have one history, by order, wherever the focus is", { skip }, async () => {
+  const { page, errors, hand } = await drawing();
+  await hand.drag([40, 60], [60, 60]);
+  const dragged = await typed(page);
+  await page.locator(".cm-content").focus();
+  await page.evaluate(() => {
+    const { view } = window.plmPlay.pane.editor;
+    const at = view.state.doc.toString().indexOf("60 rev/min");
+    view.dispatch({ selection: { anchor: at, head: at + 2 } });
+  });
+  await page.keyboard.type("30");
+  assert.equal(await typed(page), dragged.replace("60 rev/min", "30 rev/min"));
+  await isCurrent(page);
+  await page.click("#do-forces");
+  await settle(page);
+  await page.locator(".cm-content").focus();
+  // From the editor: the arrows are the last deed, then the typing; from the picture: the drag.
+  await page.keyboard.press("Control+Z");
+  assert.equal(await state(page, "app.showsForces"), false);
+  assert.match(await typed(page), /30 rev/);
+  await page.keyboard.press("Control+Z");
+  assert.equal(await typed(page), dragged);
+  await page.locator("#picture").focus();
+  await page.keyboard.press("Control+Z");
+  assert.equal(await typed(page), FOUR_BAR);
+  for (const expected of [dragged, dragged.replace("60 rev/min", "30 rev/min")]) {
+    await page.keyboard.press("Control+Y");
+    assert.equal(await typed(page), expected);
+  }
+  assert.deepEqual(errors, []);
+});
+
+test("a pin that is dropped on another one is joined to it", { skip }, async () => {
+  const open4 = FOUR_BAR.replace("    revolute pin2(bar2.b, bar3.a);\n", "").replace("port a: p3; port b: p4", "port a: p5; port b: p4").replace("    let p4", "    let p5 = (300, 100) mm;\n    let p4");
+  const { page, errors, hand } = await drawing(open4);
+  await hand.drag([300, 100], [241, 139]);
+  const text = await isWhole(page);
+  assert.match(text, /revolute pin2\(bar2\.b, bar3\.a\);/);
+  assert.ok(!text.includes("p5"), text);
+  assert.deepEqual(errors, []);
+});
+
+test("dimensions are typed beside the pin, as they stand there then", { skip }, async () => {
+  const { page, errors, hand } = await drawing();
+  await hand.press(240, 140);
+  await page.locator("#sketch-fields input").first().waitFor();
+  await page.keyboard.type("250.5");
+  await page.keyboard.press("Tab");
+  await page.keyboard.type("130.0");
+  await page.keyboard.press("Enter");
+  assert.match(await typed(page), /let p3 = \(250\.5, 130\.0\) mm;/);
+  await isWhole(page);
+  await hand.press(40, 60);
+  await shot(page, "draw-fields");
+  const length = page.locator('#sketch-fields input[data-dimension="length"]');
+  await length.fill("100");
+  await length.press("Enter");
+  await isCurrent(page);
+  const [x, y] = await portAt(page, "bar1", "b");
+  assert.ok(Math.abs(Math.hypot(x, y) - 100) < 0.01, `${x} ${y}`);
+  // What is no number is told, and changes nothing.
+  const before = await typed(page);
+  await hand.press(250.5, 130);
+  await page.locator('#sketch-fields input[data-dimension="x"]').fill("wide");
+  await page.keyboard.press("Enter");
+  assert.equal(await typed(page), before);
+  await page.locator(".message", { hasText: "is no number" }).waitFor();
+  assert.deepEqual(errors, []);
+});
+
+test("what is selected is deleted, renamed, or its pin is opened", { skip }, async () => {
+  const { page, errors, hand } = await drawing();
+  await hand.press(140, 100);
+  await page.keyboard.press("F2");
+  await page.keyboard.type("coupler");
+  await page.keyboard.press("Enter");
+  assert.match(await typed(page), /body coupler .*\n[^]*revolute pin2\(coupler\.b, bar3\.a\);/);
+  await isWhole(page);
+  await hand.press(240, 140);
+  await hand.take("sketch-delete");
+  assert.ok(!(await typed(page)).includes("pin2"));
+  await isCurrent(page);
+  await hand.press(140, 100);
+  assert.equal(await page.evaluate(() => window.plmPlay.sketch.selectedName), "coupler");
+  await hand.take("sketch-delete");
+  assert.ok(!(await typed(page)).includes("coupler"));
+  await isCurrent(page);
+  for (let k = 0; k < 3; k++) await page.click("#sketch-undo");
+  assert.equal(await typed(page), FOUR_BAR);
+  assert.deepEqual(errors, []);
+});
+
+test("half a mechanism is drawn, and can be drawn on", { skip }, async () => {
+  const { page, errors, hand } = await drawing();
+  await page.evaluate((text) => window.plmPlay.pane.editor.replace(text), FOUR_BAR.replace("    revolute pin2", "    revolut pin2"));
+  await until(page, async () => (await problems(page)).length > 0, "a mistake is told");
+  // The last good motion is kept, and pins stand where the text says.
+  assert.equal(await state(page, "app.live.run.rows > 0"), true);
+  assert.ok(isNear(await portAt(page, "bar3", "b"), [200, 0]));
+  await hand.take("sketch-bar");
+  await hand.press(240, 140);
+  await hand.press(120, 20);
+  assert.match(await typed(page), /let p5 = \(120, 20\) mm;/);
+  await shot(page, "draw-half");
+  const pixels = await page.evaluate(() => window.plmPlay.sketch.sheet.places.filter(({ owner }) => owner === "bar4").length);
+  assert.equal(pixels, 2);
+  assert.deepEqual(errors, []);
+});
+
+test("a sheet without a body is no mistake, and its undo moves again", { skip }, async () => {
+  const { page, errors } = await playground(FOUR_BAR);
+  await page.click("#editor-new");
+  assert.equal(await typed(page), "");
+  await until(page, async () => (await state(page, "app.run")) === null, "nothing moves");
+  assert.deepEqual(await problems(page), []);
+  await page.click("#sketch-undo");
+  assert.equal(await typed(page), FOUR_BAR);
+  await isCurrent(page);
+  assert.deepEqual(errors, []);
+});
+
+test("every machine of the gallery is dragged by a pin, and one undo gives its bytes back", { skip }, async () => {
+  const { page, errors } = await playground();
+  const count = (await page.locator("#gallery option").count()) - 1;
+  const rows = [];
+  for (let index = 0; index < count; index++) {
+    const shown = await page.evaluate(() => window.plmPlay.exchange.count);
+    await page.selectOption("#gallery", String(index));
+    await page.waitForFunction((before) => window.plmPlay.exchange.count > before && window.plmPage.app.live.run.rows > 0, shown);
+    if ((await state(page, "app.mode")) !== "draw") await page.click("#sketch-draw");
+    await page.waitForFunction(() => window.plmPlay.sketch.isCurrent && !window.plmPlay.sketch.isMoving && window.plmPage.app.live.run.rows === 1);
+    const before = await typed(page);
+    const target = await page.evaluate(() => {
+      const { sketch } = window.plmPlay;
+      const { app } = window.plmPage;
+      app.zoomToExtents();
+      // The first pin that can be dragged and that no other one covers.
+      const places = sketch.places();
+      for (const { owner, port, at } of places.filter((place) => place.owner !== "ground")) {
+        const drawn = sketch.pencil.ask(sketch.text, { kind: "drag", live: true, port: { owner, port }, to: [at[0] + 1e-3, at[1]], grid: 1e-4 }, places);
+        const spot = app.view.projection(app.area).point(at[0], at[1], 0);
+        const near = places.filter((other) => Math.hypot(other.at[0] - at[0], other.at[1] - at[1]) * app.view.scale < 14);
+        const isAlone = near.every((other) => Math.hypot(other.at[0] - at[0], other.at[1] - at[1]) < 1e-9);
+        if (drawn.why === undefined && drawn.open.length === 0 && isAlone && spot[0] > 40 && spot[1] > 100 && spot[0] < app.area.width - 40 && spot[1] < app.area.height - 40) {
+          const { left, top } = document.querySelector("#picture").getBoundingClientRect();
+          return [left + spot[0], top + spot[1]];
+        }
+      }
+      return null;
+    });
+    if (target === null) continue;
+    await settle(page);
+    await page.mouse.move(...target);
+    await page.mouse.down();
+    for (let k = 1; k <= 8; k++) await page.mouse.move(target[0] + 2 * k, target[1] - k);
+    await page.waitForFunction(() => window.plmPlay.sketch.held?.isReady && !window.plmPlay.sketch.held.isBusy);
+    const name = await page.evaluate(() => window.plmPlay.sketch.held.port.owner);
+    await page.mouse.up();
+    const after = await typed(page);
+    assert.notEqual(after, before, `machine ${index}: ${(await page.locator(".message").allTextContents()).join(" ")}`);
+    await page.keyboard.press("Control+Z");
+    assert.equal(await typed(page), before);
+    rows.push(name);
+    await page.keyboard.press("Escape");
+  }
+  console.log(`${rows.length} of ${count} machines: ${rows.join(", ")}`);
+  assert.ok(rows.length >= count - 2);
+  assert.deepEqual(errors, []);
+});
+
+test("drawn on wide pages and on a phone, light and dark", { skip }, async () => {
+  for (const [width, height] of [[1200, 800], [820, 1180], [390, 844]]) {
+    for (const theme of /** @type {const} */ (["light", "dark"])) {
+      const { page, errors, hand } = await drawing(FOUR_BAR, { width, height, theme });
+      await page.evaluate(() => window.plmPage.app.zoomToExtents());
+      await hand.press(240, 140);
+      await shot(page, `draw-${width}-${theme}`);
+      const box = await page.locator("#sketch").boundingBox();
+      const stage = await page.locator("#stage").boundingBox();
+      assert.ok(box.x >= stage.x && box.x + box.width <= stage.x + stage.width && box.height < 0.4 * stage.height, JSON.stringify({ width, box, stage }));
+      assert.equal(await page.locator("#sketch-fields").isVisible(), true);
+      assert.deepEqual(errors, []);
+    }
+  }
+});
