@@ -139,7 +139,15 @@ impl Scalar for F64x8 {
     fn sqrt(self) -> Self {
         Self(self.0.sqrt())
     }
-    one_by_one!(tan, asin, acos, exp, ln, floor);
+    one_by_one!(tan, asin, acos, floor);
+    #[inline]
+    fn exp(self) -> Self {
+        Self::of(f64::exp_all(self.values()))
+    }
+    #[inline]
+    fn ln(self) -> Self {
+        Self::of(f64::ln_all(self.values()))
+    }
     #[inline]
     fn atan2(self, x: Self) -> Self {
         Self::of(f64::atan2_all(self.values(), x.values()))
@@ -156,6 +164,10 @@ impl Scalar for F64x8 {
     #[inline]
     fn select(mask: f64x8, a: Self, b: Self) -> Self {
         Self(mask.select(a.0, b.0))
+    }
+    #[inline]
+    fn choose(mask: f64x8, a: f64x8, b: f64x8) -> f64x8 {
+        mask.select(a, b)
     }
     #[inline]
     fn any(mask: f64x8) -> bool {

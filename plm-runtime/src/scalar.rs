@@ -35,7 +35,7 @@ pub trait Scalar:
     + Neg<Output = Self>
 {
     /// The outcome of a comparison, lane by lane.
-    type Mask: Copy;
+    type Mask: Copy + Debug;
     /// Number of revolutions of an angle, lane by lane.
     type Turns: Copy + Debug + PartialEq;
 
@@ -177,9 +177,21 @@ pub trait Scalar:
     /// Exponential function.
     #[must_use]
     fn exp(self) -> Self;
+    /// That of several numbers, as [`atan2_all`](Self::atan2_all).
+    #[inline]
+    #[must_use]
+    fn exp_all<const N: usize>(x: [Self; N]) -> [Self; N] {
+        x.map(Self::exp)
+    }
     /// Natural logarithm; NaN below zero.
     #[must_use]
     fn ln(self) -> Self;
+    /// That of several numbers, as [`atan2_all`](Self::atan2_all).
+    #[inline]
+    #[must_use]
+    fn ln_all<const N: usize>(x: [Self; N]) -> [Self; N] {
+        x.map(Self::ln)
+    }
     /// Absolute value.
     #[must_use]
     fn abs(self) -> Self;
@@ -198,6 +210,12 @@ pub trait Scalar:
     fn lt(self, other: Self) -> Self::Mask;
     /// `a` where the mask is set, `b` elsewhere.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+    /// The mask `a` where the mask is set, `b` elsewhere.
+    #[inline]
+    fn choose(mask: Self::Mask, a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        let number = |mask| Self::select(mask, Self::lit(1.0), Self::ZERO);
+        Self::ZERO.lt(Self::select(mask, number(a), number(b)))
+    }
     /// Is the mask set in some lane?
     fn any(mask: Self::Mask) -> bool;
     /// Is the mask set in every lane?

@@ -56,6 +56,21 @@ pub(crate) fn exp<F: Exponent>(x: F) -> F {
     }
 }
 
+/// One path for all lanes, which compilers join, where none of them is near the ends of the range.
+#[inline]
+pub(crate) fn exp_lanes<F: Exponent, const N: usize>(x: [F; N]) -> [F; N] {
+    let direct = x.iter().fold(true, |all, x| all & (x.abs() <= F::BOUND));
+    if !direct {
+        return x.map(exp);
+    }
+    let mut powers = [F::ZERO; N];
+    for lane in 0..N {
+        let (k, y) = kernel(x[lane]);
+        powers[lane] = y * F::power_of_two(k);
+    }
+    powers
+}
+
 /// k and exp(x) / 2^k.
 #[inline]
 fn kernel<F: Exponent>(x: F) -> (i32, F) {

@@ -109,6 +109,18 @@ macro_rules! functions {
                 ln::ln(x)
             }
 
+            /// [`exp`] of N numbers, with the same bits as one by one, as [`atan2_lanes`].
+            #[inline]
+            pub fn exp_lanes<const N: usize>(x: [$float; N]) -> [$float; N] {
+                exp::exp_lanes(x)
+            }
+
+            /// [`ln`] of N numbers, with the same bits as one by one, as [`atan2_lanes`].
+            #[inline]
+            pub fn ln_lanes<const N: usize>(x: [$float; N]) -> [$float; N] {
+                ln::ln_lanes(x)
+            }
+
             /// Length of the vector (x, y), without overflow or underflow on the way. Infinite if a coordinate is
             /// infinite, even if the other is NaN.
             #[inline]

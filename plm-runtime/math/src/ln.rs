@@ -42,6 +42,20 @@ pub(crate) fn ln<F: Logarithm>(x: F) -> F {
     if x >= F::MIN_POSITIVE && x < F::INFINITY { ln_normal(x, 0) } else { ln_extreme(x) }
 }
 
+/// One path for all lanes, which compilers join, where all are normal numbers.
+#[inline]
+pub(crate) fn ln_lanes<F: Logarithm, const N: usize>(x: [F; N]) -> [F; N] {
+    let direct = x.iter().fold(true, |all, x| all & (F::MIN_POSITIVE..F::INFINITY).contains(x));
+    if !direct {
+        return x.map(ln);
+    }
+    let mut logarithms = [F::ZERO; N];
+    for lane in 0..N {
+        logarithms[lane] = ln_normal(x[lane], 0);
+    }
+    logarithms
+}
+
 /// ln(2^shift x), for normal x.
 #[inline]
 fn ln_normal<F: Logarithm>(x: F, shift: i32) -> F {

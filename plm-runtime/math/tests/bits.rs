@@ -90,6 +90,26 @@ macro_rules! bits {
             }
 
             #[test]
+            fn powers_and_logarithms_of_several_numbers_are_those_of_one() {
+                fn lanes<const N: usize>(random: &mut Random, within: $float) {
+                    let x: [$float; N] = core::array::from_fn(|_| number(random) % within);
+                    assert_eq!(m::exp_lanes(x).map(bits), x.map(m::exp).map(bits), "exp {x:?}");
+                    assert_eq!(m::ln_lanes(x).map(bits), x.map(m::ln).map(bits), "ln {x:?}");
+                    let x = x.map(m::abs);
+                    assert_eq!(m::ln_lanes(x).map(bits), x.map(m::ln).map(bits), "ln {x:?}");
+                }
+                let mut random = Random(4);
+                for _ in 0..5000 {
+                    // All on the direct path; then zeros, infinities, NaN, subnormal numbers and what overflows.
+                    for within in [80.0, $float::INFINITY] {
+                        lanes::<1>(&mut random, within);
+                        lanes::<3>(&mut random, within);
+                        lanes::<8>(&mut random, within);
+                    }
+                }
+            }
+
+            #[test]
             fn results_have_the_bits_of_the_reference_machine() {
                 let unary: [(&str, fn($float) -> $float); 11] = [
                     ("sin", m::sin),

@@ -25,6 +25,9 @@ use crate::sim::{Clock, Sim};
 /// computed at once, and the small problem of the rows lane by lane. Its steps have one evaluation there. With a [`FixedStep`] they make all
 /// steps alone.
 ///
+/// With pairs that control their error ([`Embedded`](crate::method::Embedded)) each has steps of its own; mechanisms with conditions,
+/// contact or absolute coordinates go alone there.
+///
 /// It dereferences to the array of simulations.
 #[derive(Clone, Copy)]
 pub struct Batch<M: Mechanism<S = f64>, L, I = Rk4<f64>> {

@@ -1,15 +1,18 @@
 //! Several trajectories of one mechanism side by side, one in each lane of vectors.
 //!
 //! The equations are straight-line code for any [`Scalar`], so a number that holds a value for every lane runs them for
-//! all lanes at once. Decisions on data (rank, charts, projection) are made lane by lane, in ordinary numbers.
+//! all lanes at once. Decisions on data (rank, charts, projection) are made lane by lane, in ordinary numbers; lengths of steps by their
+//! errors side by side.
 
 mod batch;
 mod lane;
+mod paced;
 mod side;
 mod strides;
 mod two;
 
 pub use batch::Batch;
+pub use paced::run_all;
 pub use two::Two;
 
 use crate::contact::{Proposed, Stride};

@@ -62,7 +62,8 @@ pub(super) fn next_step<M: System<S: Real>>(
         context.check_steps(most)?;
     }
     let rest = context.end - context.time;
-    if M::S::lit(1.01) * proposal >= rest {
+    // A proposal that is no number is none.
+    if !goes_on(proposal, rest) && proposal >= M::S::ZERO {
         Ok((rest, true))
     } else if proposal > shortest(context) {
         // Lengths are values: the derivatives of one that moved with an event would propagate to all later steps, enlarged.
@@ -70,6 +71,12 @@ pub(super) fn next_step<M: System<S: Real>>(
     } else {
         Err(context.fault(too_small(context, proposal)))
     }
+}
+
+/// A mask that is set where a step of the proposed length, stretched by 1 %, does not reach the end, which is `rest` away.
+#[inline]
+pub(crate) fn goes_on<S: Scalar>(proposal: S, rest: S) -> S::Mask {
+    (S::lit(1.01) * proposal).lt(rest)
 }
 
 /// Shortest length of a step, s, above which the resolution of the time is the cause of a fault, and not the motion.
@@ -87,7 +94,13 @@ pub(super) fn too_small<M: System<S: Real>>(context: &Context<'_, M>, step: M::S
 
 /// Shortest step: some units in the last place of the time, so that the time hardly moves.
 pub(super) fn shortest<M: System<S: Real>>(context: &Context<'_, M>) -> M::S {
-    M::S::lit(16.0) * M::S::EPSILON * context.time.abs().max(context.end.abs())
+    shortest_between::<M::S>(M::S::EPSILON, [context.time, context.end])
+}
+
+/// [`shortest`] on the way from a time to the end of its interval, in numbers with a unit `epsilon` in the last place of 1.
+#[inline]
+pub(crate) fn shortest_between<S: Scalar>(epsilon: S, [time, end]: [S; 2]) -> S {
+    S::lit(16.0) * epsilon * time.abs().max(end.abs())
 }
 
 /// Checks that a step still moves the time; otherwise gives the fault that made it so short, or that of the state it led to.
@@ -113,11 +126,11 @@ const CHANCE: f64 = 0.1;
 /// Error estimates that do not vanish by chance. With few state variables all components of an estimate can pass zero at
 /// once, and a step that is far too long seems accurate. A small estimate is accepted only if the one before was small too.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Steady<S> {
+pub(super) struct Steady<S: Scalar> {
     /// Length and error of the last accepted step.
-    last: (S, S),
+    pub(super) last: (S, S),
     /// True if its estimate was not accepted.
-    doubted: bool,
+    pub(super) doubted: S::Mask,
 }
 
 impl<S: Real> InWords for Steady<S> {
@@ -127,9 +140,9 @@ impl<S: Real> InWords for Steady<S> {
     }
 }
 
-impl<S: Real> Steady<S> {
+impl<S: Scalar> Steady<S> {
     pub(super) fn new() -> Self {
-        Self { last: (S::lit(1.0), S::ZERO), doubted: false }
+        Self { last: (S::lit(1.0), S::ZERO), doubted: S::ZERO.lt(S::ZERO) }
     }
 
     /// True if no step has given an error yet.
@@ -137,18 +150,24 @@ impl<S: Real> Steady<S> {
         self.last.1 == S::ZERO
     }
 
+    /// The first of two where the mask is set, the second elsewhere.
+    pub(super) fn select(mask: S::Mask, a: &Self, b: &Self) -> Self {
+        let last = (S::select(mask, a.last.0, b.last.0), S::select(mask, a.last.1, b.last.1));
+        Self { last, doubted: S::choose(mask, a.doubted, b.doubted) }
+    }
+
     /// Error of a step of the length `h`, which grows with `h` to the `order`.
     pub(super) fn error(&self, h: S, estimate: S, order: u32) -> S {
-        let ratio = h.plain() / self.last.0.plain();
-        let last = S::Plain::lit(CHANCE) * self.last.1.plain();
-        let expected = S::of_plain((0..order).fold(last, |power, _| power * ratio));
+        let ratio = h / self.last.0;
+        let last = S::lit(CHANCE) * self.last.1;
+        let expected = (0..order).fold(last, |power, _| power * ratio);
         // NaN stays NaN.
-        if estimate < expected && !self.doubted { expected } else { estimate }
+        S::select(self.doubted, estimate, S::select(estimate.lt(expected), expected, estimate))
     }
 
     /// Stores an accepted step.
     pub(super) fn accept(&mut self, h: S, estimate: S, order: u32) {
         let error = self.error(h, estimate, order);
-        *self = Self { last: (h, error), doubted: estimate < error };
+        *self = Self { last: (h, error), doubted: estimate.lt(error) };
     }
 }

@@ -56,6 +56,11 @@ impl<'a, M: System> Context<'a, M> {
         }
     }
 
+    /// This context of an interval before which so many steps were tried.
+    pub(crate) fn after(self, before: u64) -> Self {
+        Self { before, ..self }
+    }
+
     /// Accepts a step of `h` to a time and state.
     #[inline]
     pub(super) fn reach(&mut self, time: M::S, h: M::S, x: M::X)

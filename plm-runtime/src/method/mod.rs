@@ -41,12 +41,14 @@ mod vern9;
 mod words;
 
 pub use adams::Adams;
+pub(crate) use adaptive::{goes_on, shortest_between};
 pub use context::Context;
 use context::rate;
 pub use contract::{DenseOutput, DriftCheck, ErrorControl, FastStep, FixedLength, Length, Method};
 pub use dop853::{Dop853, DormandPrince853};
 pub use dopri5::{Dopri5, DormandPrince5};
 pub use embedded::{Embedded, Limits, Pair};
+pub(crate) use embedded::{Going, Pace, Span, weight};
 pub use estimate::Estimate;
 pub use euler::{SemiImplicitEuler, SemiImplicitEulerFormula};
 pub(crate) use fixed::looked_at;

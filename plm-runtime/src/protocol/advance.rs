@@ -136,7 +136,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
 
     /// Proposes a step, and carries out the judge's verdict.
     #[inline]
-    pub(super) fn step(&mut self) -> Made<M::S> {
+    pub(crate) fn step(&mut self) -> Made<M::S> {
         if const { Self::COASTS } {
             return self.coast();
         }

@@ -113,6 +113,14 @@ macro_rules! real {
                 math::$real::atan2_lanes(y, x)
             }
             #[inline]
+            fn exp_all<const N: usize>(x: [Self; N]) -> [Self; N] {
+                math::$real::exp_lanes(x)
+            }
+            #[inline]
+            fn ln_all<const N: usize>(x: [Self; N]) -> [Self; N] {
+                math::$real::ln_lanes(x)
+            }
+            #[inline]
             fn exp(self) -> Self {
                 math::$real::exp(self)
             }
@@ -135,6 +143,10 @@ macro_rules! real {
             }
             #[inline]
             fn select(mask: bool, a: Self, b: Self) -> Self {
+                if mask { a } else { b }
+            }
+            #[inline]
+            fn choose(mask: bool, a: bool, b: bool) -> bool {
                 if mask { a } else { b }
             }
             #[inline]

@@ -1,42 +1,50 @@
-//! Step size control.
+//! Step size control, in any numbers without derivatives: a run has one, lanes have one each.
 
 use super::pair::Limits;
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::words::{InWords, Words};
 
 /// Proportional-integral control of the step size (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II,
 /// IV.2, eq. (2.43c)).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Control<S> {
+pub(super) struct Control<S: Scalar> {
     /// Error of the last accepted step, as a multiple of the tolerance.
-    last_error: S,
+    pub(super) last_error: S,
     /// True if the step was rejected before: it does not grow at once.
-    rejected: bool,
+    pub(super) rejected: S::Mask,
 }
 
-impl<S: Real> Control<S> {
+impl<S: Scalar> Control<S> {
     pub(super) fn new() -> Self {
-        Self { last_error: S::lit(1e-4), rejected: false }
+        Self { last_error: S::lit(1e-4), rejected: never::<S>() }
     }
 
     /// Factor for the next step after one with `error` <= 1.
     pub(super) fn accept(&mut self, limits: &Limits, error: S) -> S {
         let memory = if limits.memory > 0.0 { power(self.last_error, limits.memory) } else { S::lit(1.0) };
         let factor = S::lit(limits.safety) * memory / power(error, limits.exponent);
-        let most = if self.rejected { 1.0 } else { limits.growth };
+        let most = S::select(self.rejected, S::lit(1.0), S::lit(limits.growth));
         self.last_error = error.max(S::lit(1e-4));
-        self.rejected = false;
-        factor.max(S::lit(limits.shrink)).min(S::lit(most))
+        self.rejected = never::<S>();
+        factor.max(S::lit(limits.shrink)).min(most)
+    }
+
+    /// The first of two where the mask is set, the second elsewhere.
+    pub(super) fn select(mask: S::Mask, a: &Self, b: &Self) -> Self {
+        Self {
+            last_error: S::select(mask, a.last_error, b.last_error),
+            rejected: S::choose(mask, a.rejected, b.rejected),
+        }
     }
 
     /// Records that a step was accepted by its error and refused for another reason.
     pub(super) fn refuse(&mut self) {
-        self.rejected = true;
+        self.rejected = always::<S>();
     }
 
     /// Factor for another attempt after `error` > 1, or NaN.
     pub(super) fn reject(&mut self, limits: &Limits, error: S) -> S {
-        self.rejected = true;
+        self.rejected = always::<S>();
         // `max` gives its argument for NaN.
         (S::lit(limits.safety) / power(error, limits.exponent)).max(S::lit(limits.shrink))
     }
@@ -49,14 +57,20 @@ impl<S: Real> InWords for Control<S> {
     }
 }
 
-/// `x^exponent`, of at least 1e-10^exponent.
-fn power<S: Real>(x: S, exponent: f64) -> S {
-    S::of_plain(power_of_plain(x.plain(), exponent))
+/// A mask that is set in no lane.
+fn never<S: Scalar>() -> S::Mask {
+    S::ZERO.lt(S::ZERO)
 }
 
-fn power_of_plain<S: Real>(x: S, exponent: f64) -> S {
+/// A mask that is set in every lane.
+fn always<S: Scalar>() -> S::Mask {
+    S::ZERO.lt(S::lit(1.0))
+}
+
+/// `x^exponent`, of at least 1e-10^exponent.
+fn power<S: Scalar>(x: S, exponent: f64) -> S {
     let least = S::lit(1e-10);
-    let x = if x < least { least } else { x };
+    let x = S::select(x.lt(least), least, x);
     if exponent == 0.125 {
         // Three square roots take a third of the time of a logarithm and an exponential.
         return x.sqrt().sqrt().sqrt();

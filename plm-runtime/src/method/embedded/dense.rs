@@ -8,13 +8,13 @@ use crate::vector::Vector;
 
 /// An accepted step: its ends and the rates there.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::method) struct Span<S, X> {
-    pub(in crate::method) time: S,
-    pub(in crate::method) h: S,
-    pub(in crate::method) from: X,
-    pub(in crate::method) to: X,
-    pub(in crate::method) rate_from: X,
-    pub(in crate::method) rate_to: X,
+pub(crate) struct Span<S, X> {
+    pub(crate) time: S,
+    pub(crate) h: S,
+    pub(crate) from: X,
+    pub(crate) to: X,
+    pub(crate) rate_from: X,
+    pub(crate) rate_to: X,
 }
 
 impl<S: Real, X: Vector<S>> Span<S, X> {

@@ -3,7 +3,9 @@
 mod at_once;
 mod control;
 mod dense;
+mod elsewhere;
 mod output;
+mod pace;
 mod pair;
 mod stages;
 mod start;
@@ -14,11 +16,12 @@ pub use self::pair::{Limits, Pair};
 pub(super) use self::stages::{Rows, stages};
 
 use self::at_once::Known;
-use self::control::Control;
-pub(super) use self::dense::Span;
+pub(crate) use self::dense::Span;
+pub(crate) use self::elsewhere::Going;
+pub(crate) use self::pace::Pace;
 pub(super) use self::start::first_step;
 pub(super) use self::tableau::pair;
-use super::adaptive::{Steady, builders, ensure_moves, next_step, rate_here};
+use super::adaptive::{builders, ensure_moves, next_step, rate_here};
 use super::projection::{PROJECTED_ABOVE, Projection};
 use super::{Context, ErrorControl, Evaluated, FixedLength, Method, drift_of_size, larger};
 use crate::fault::Fault;
@@ -33,17 +36,15 @@ use crate::vector::Vector;
 /// output ends at the projected state and its rate. The health of the stages is checked once a step; an unhealthy step is repeated, by rank
 /// where needed, and so are the following ones until one is healthy.
 #[derive(Clone, Copy, Debug)]
-pub struct Embedded<M: System, P: Pair> {
+pub struct Embedded<M: System<S: Real>, P: Pair> {
     /// Relative tolerance; the absolute one of each state is this times its typical size.
     pub rtol: M::S,
     /// Longest step, s.
     pub longest_step: M::S,
     /// Most accepted and rejected steps in one interval.
     pub most_steps: u64,
-    /// Proposal for the next step, s; `None` before the first.
-    proposal: Option<M::S>,
-    control: Control<M::S>,
-    steady: Steady<M::S>,
+    /// The next step. It has no derivatives, since it only decides.
+    pace: Pace<<M::S as Real>::Plain>,
     /// Rate at the current state; `None` after a change of the state.
     rate: Option<M::X>,
     /// Last step, for the dense output, and its stages.
@@ -82,9 +83,7 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
             rtol,
             longest_step: M::S::INFINITY,
             most_steps: 1_000_000,
-            proposal: None,
-            control: Control::new(),
-            steady: Steady::new(),
+            pace: Pace::new(),
             rate: None,
             span: None,
             stages: None,
@@ -148,34 +147,35 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
     fn judge(
         &self,
         context: &Context<'_, M>,
-        h: M::S,
+        h: <M::S as Real>::Plain,
         k: &P::Stages<M::X>,
-        end: &M::X,
-    ) -> (M::S, M::S, M::S) {
+        (time, end): (M::S, &M::X),
+    ) -> (<M::S as Real>::Plain, <M::S as Real>::Plain, M::S) {
         let (rtol, typical, from) = (self.tolerance().plain(), context.system.typical(), context.x);
         let weight = M::X::from_fn(|i| {
-            let size = from.at(i).plain().abs().max(end.at(i).plain().abs());
-            M::S::of_plain(<M::S as Real>::Plain::lit(1.0) / (rtol * (typical.at(i).plain() + size)))
+            let ends = [from.at(i).plain(), end.at(i).plain()];
+            M::S::of_plain(weight(rtol, typical.at(i).plain(), ends))
         });
         let by = (&weight, context.system.states());
-        let error = P::error(h, k, by);
+        let error = P::error_of_values(h, k, by);
         // If forces bend sharply within a step, estimates are no powers of its length, and a combined one may vanish by chance: the error
         // was 1000 times the tolerance then. After the first step the last one predicts the error; before, the estimate of lower order
         // bounds it alone.
-        let is_first = context.system.may_bend() && self.steady.is_new();
-        let least = if is_first { P::plain_error(h, k, by) } else { M::S::ZERO };
-        (error, least, self.drift_ratio(context, (context.time + h, end)))
+        let is_first = context.system.may_bend() && self.pace.is_new();
+        let least = if is_first { P::plain_error(h, k, by) } else { <M::S as Real>::Plain::ZERO };
+        (error, least, self.drift_ratio(context, (time, end)))
     }
 
     /// State with the largest error, each relative to its size, which is at least typical.
     #[cold]
     fn largest_error(system: &M, k: &P::Stages<M::X>, size: impl Fn(usize) -> M::S) -> Option<usize> {
         let typical = system.typical();
-        let mut most = (None, M::S::ZERO);
+        let mut most = (None, <M::S as Real>::Plain::ZERO);
         for i in 0..M::X::LEN {
             let mut weight = M::X::fill(M::S::ZERO);
             weight.set(i, M::S::lit(1.0) / (typical.at(i) + size(i)));
-            let error = P::error(M::S::lit(1.0), k, (&weight, system.states()));
+            let one = <M::S as Real>::Plain::lit(1.0);
+            let error = P::error_of_values(one, k, (&weight, system.states()));
             if error > most.1 {
                 most = (Some(i), error);
             }
@@ -216,19 +216,12 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
         context.rate_value(time, &x, &mut rate)?;
         Ok((x, rate))
     }
+}
 
-    /// Proposes the step after an accepted one. A step that was cut to reach the end tells little about the next one.
-    fn propose(&mut self, proposal: M::S, h: M::S, (error, estimate): (M::S, M::S)) {
-        let mut control = self.control;
-        let next = h * control.accept(&P::LIMITS, error);
-        if h < proposal {
-            self.proposal = Some(next.max(proposal));
-        } else {
-            self.control = control;
-            self.steady.accept(h, estimate, P::ORDER);
-            self.proposal = Some(next);
-        }
-    }
+/// Weight of the error of a state in a step between two values of it.
+#[inline]
+pub(crate) fn weight<T: Scalar>(rtol: T, typical: T, [from, to]: [T; 2]) -> T {
+    T::lit(1.0) / (rtol * (typical + from.abs().max(to.abs())))
 }
 
 impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
@@ -236,13 +229,13 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if self.rate.is_none() && context.system.may_bend() {
-            self.steady = Steady::new();
+            self.pace.forget();
         }
         let rate = rate_here(&mut self.rate, context)?;
-        let mut proposal = match self.proposal {
-            Some(proposal) => proposal,
-            None => first_step(context, &rate, self.tolerance(), P::ORDER)?,
-        };
+        let mut proposal = M::S::of_plain(self.pace.proposal);
+        if proposal == M::S::ZERO {
+            proposal = first_step(context, &rate, self.tolerance(), P::ORDER)?;
+        }
         (self.span, self.bends, self.known) = (None, None, Known::Values);
         let mut k = self.stages.unwrap_or_else(|| P::blank(rate));
         loop {
@@ -251,10 +244,10 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                 .map_err(|fault| Fault { part: Self::worst(context, &k), ..fault })?;
             let mut attempt = self.trial(context, &rate, h, &mut k);
             let (estimate, least, drift) = match &attempt {
-                Ok(trial) => self.judge(context, h, &k, &trial.x),
-                Err(_) => (M::S::INFINITY, M::S::ZERO, M::S::INFINITY),
+                Ok(trial) => self.judge(context, h.plain(), &k, (context.time + h, &trial.x)),
+                Err(_) => (Real::INFINITY, Scalar::ZERO, M::S::INFINITY),
             };
-            let error = larger(self.steady.error(h, estimate, P::ORDER), least);
+            let error = M::S::of_plain(larger(self.pace.error::<P>(h.plain(), estimate), least));
             let mut worst = larger(error, drift);
             if let (Ok(trial), true) = (&attempt, worst <= M::S::lit(1.0)) {
                 let time = if last { context.end } else { context.time + h };
@@ -271,7 +264,8 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                         (self.stages, self.rate) = (Some(k), Some(rate_to));
                         // Drift that was not projected comes from earlier steps as well: a shorter step would not reduce it.
                         let projects = drift > M::S::lit(PROJECTED_ABOVE);
-                        self.propose(proposal, h, (if projects { worst } else { error }, estimate));
+                        let error_of_pace = if projects { worst } else { error }.plain();
+                        self.pace.accept::<P>(proposal.plain(), h.plain(), (error_of_pace, estimate));
                         self.by_error = !last && h < self.longest_step && drift <= error;
                         context.reach(time, h, to);
                         return Ok(());
@@ -280,7 +274,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
                 }
             }
             context.stats.rejected += 1;
-            proposal = h * self.control.reject(&P::LIMITS, worst);
+            proposal = M::S::of_plain(self.pace.reject::<P>(h.plain(), worst.plain()));
             ensure_moves(context, proposal, attempt.map(|trial| trial.x)).map_err(|fault| {
                 if fault.part.is_empty() { Fault { part: Self::worst(context, &k), ..fault } } else { fault }
             })?;
@@ -306,8 +300,7 @@ impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
 impl<M: System<S: Real> + Copy, P: Pair> ErrorControl<M> for Embedded<M, P> {
     fn shorten(&mut self, h: M::S) -> bool {
         self.restart();
-        self.control.refuse();
-        self.proposal = Some(M::S::lit(0.5) * h);
+        self.pace.refuse(h.plain());
         true
     }
 

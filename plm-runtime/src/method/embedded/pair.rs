@@ -3,8 +3,8 @@
 use core::fmt::Debug;
 
 use crate::method::Rates;
-use crate::scalar::Real;
-use crate::system::System;
+use crate::scalar::{Real, Scalar};
+use crate::system::{Rate, System};
 use crate::vector::Vector;
 
 /// Two explicit Runge-Kutta formulas on common stages: one gives the state, their difference its error.
@@ -39,7 +39,7 @@ pub trait Pair: Copy + Debug {
     fn blank<X: Copy + Debug>(x: X) -> Self::Stages<X>;
 
     /// State at `t + h` from `x` at `t`, where the rate is `first`; `rates` computes the others.
-    fn step<M: System>(
+    fn step<M: Rate>(
         t: M::S,
         h: M::S,
         x: &M::X,
@@ -51,11 +51,14 @@ pub trait Pair: Copy + Debug {
     /// Rate at the end of a step, if it is one of the stages.
     fn rate_at_end<X: Copy + Debug>(k: &Self::Stages<X>) -> Option<&X>;
 
-    /// Norm of the error of so many components, each by its `weight`.
-    fn error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, by: (&X, usize)) -> S;
+    /// Norm of the error of so many components, each by its weight, in numbers without derivatives.
+    fn error<S: Scalar, X: Vector<S>>(h: S, k: &Self::Stages<X>, by: (&X, usize)) -> S;
 
-    /// Norm of the first one of the estimates that [`error`](Self::error) combines.
-    fn plain_error<S: Real, X: Vector<S>>(h: S, k: &Self::Stages<X>, by: (&X, usize)) -> S;
+    /// [`error`](Self::error) by the values of numbers that may have derivatives.
+    fn error_of_values<S: Real, X: Vector<S>>(h: S::Plain, k: &Self::Stages<X>, by: (&X, usize)) -> S::Plain;
+
+    /// Norm of the first one of the estimates that [`error_of_values`](Self::error_of_values) combines.
+    fn plain_error<S: Real, X: Vector<S>>(h: S::Plain, k: &Self::Stages<X>, by: (&X, usize)) -> S::Plain;
 
     /// Dense output of a step from `x` at `t`; `last` is the rate at its end.
     fn bend<M: System>(

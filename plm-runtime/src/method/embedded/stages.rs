@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::method::Rates;
 use crate::method::rates::each_stage;
 use crate::scalar::Scalar;
-use crate::system::System;
+use crate::system::Rate;
 use crate::vector::Vector;
 
 /// Largest number of states for which stages stay in registers. Copies of the rate for more gain nothing, as in a chain of six
@@ -31,7 +31,7 @@ pub(in crate::method) trait Rows<const N: usize> {
 // unless it is short, becomes part of the formula only if it is called in one place, hence the loop.
 #[allow(clippy::inline_always)]
 #[inline(always)]
-pub(in crate::method) fn stages<M: System, R: Rows<N>, const N: usize>(
+pub(in crate::method) fn stages<M: Rate, R: Rows<N>, const N: usize>(
     (t, h): (M::S, M::S),
     x: &M::X,
     k: &mut [M::X; N],
@@ -52,7 +52,7 @@ pub(in crate::method) fn stages<M: System, R: Rows<N>, const N: usize>(
 /// Makes the stages with a copy of the rate for each.
 // A separate function in builds without optimisation, in which the stack of a large system has room for little else.
 #[cfg_attr(not(debug_assertions), allow(clippy::inline_always), inline(always))]
-fn each_with_its_rate<M: System, R: Rows<N>, const N: usize>(
+fn each_with_its_rate<M: Rate, R: Rows<N>, const N: usize>(
     (t, h): (M::S, M::S),
     x: &M::X,
     k: &mut [M::X; N],
@@ -77,6 +77,6 @@ fn each_with_its_rate<M: System, R: Rows<N>, const N: usize>(
 
 /// Time of a stage.
 #[inline]
-fn time<M: System, R: Rows<N>, const N: usize>((t, h): (M::S, M::S), stage: usize) -> M::S {
+fn time<M: Rate, R: Rows<N>, const N: usize>((t, h): (M::S, M::S), stage: usize) -> M::S {
     M::S::lit(R::NODES[stage]).mul_add(h, t)
 }

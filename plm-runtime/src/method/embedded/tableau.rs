@@ -86,7 +86,7 @@ macro_rules! pair {
             #[allow(unused_variables, reason = "not every stage is kept")]
             #[allow(clippy::inline_always, reason = "as the stages")]
             #[inline(always)]
-            fn step<M: $crate::System>(
+            fn step<M: $crate::Rate>(
                 t: M::S,
                 h: M::S,
                 x: &M::X,
@@ -114,13 +114,29 @@ macro_rules! pair {
             }
 
             #[inline]
-            fn error<S: $crate::Real, X: $crate::Vector<S>>(h: S, kept: &[X; $kept_count], by: (&X, usize)) -> S {
-                $crate::method::embedded::tableau::Weights([$($error),*]).norm(h, kept, by)
+            fn error<S: $crate::Scalar, X: $crate::Vector<S>>(h: S, kept: &[X; $kept_count], (weight, count): (&X, usize)) -> S {
+                let weights = $crate::method::embedded::tableau::Weights([$($error),*]);
+                $crate::method::embedded::tableau::norm(h, weights.squares(kept, weight), count)
             }
 
             #[inline]
-            fn plain_error<S: $crate::Real, X: $crate::Vector<S>>(h: S, kept: &[X; $kept_count], by: (&X, usize)) -> S {
-                $crate::method::embedded::tableau::Weights([$($error),*]).first_norm(h, kept, by)
+            fn error_of_values<S: $crate::Real, X: $crate::Vector<S>>(
+                h: S::Plain,
+                kept: &[X; $kept_count],
+                (weight, count): (&X, usize),
+            ) -> S::Plain {
+                let weights = $crate::method::embedded::tableau::Weights([$($error),*]);
+                $crate::method::embedded::tableau::norm(h, weights.plain_squares(kept, weight), count)
+            }
+
+            #[inline]
+            fn plain_error<S: $crate::Real, X: $crate::Vector<S>>(
+                h: S::Plain,
+                kept: &[X; $kept_count],
+                (weight, count): (&X, usize),
+            ) -> S::Plain {
+                let weights = $crate::method::embedded::tableau::Weights([$($error),*]);
+                $crate::method::embedded::tableau::first_norm(h, weights.plain_squares(kept, weight), count)
             }
 
             #[allow(unused_variables, unused_mut, reason = "not every stage counts, and some pairs need no more of them")]
@@ -150,58 +166,54 @@ pub(in crate::method) use pair;
 pub(in crate::method) struct Weights<const K: usize, const N: usize>(pub(in crate::method) [[f64; K]; N]);
 
 impl<const K: usize, const N: usize> Weights<K, N> {
-    /// Root mean square of the first error, each component by its `weight`.
+    /// Squares of the errors in numbers without derivatives, each component by its `weight`.
     #[inline]
-    pub(in crate::method) fn first_norm<S: Real, X: Vector<S>>(
-        &self,
-        h: S,
-        k: &[X; K],
-        (weight, count): (&X, usize),
-    ) -> S {
-        let mean = square(self.0[0], k, weight).plain() / S::Plain::lit(count.max(1) as f64);
-        S::of_plain(h.plain().abs() * mean.sqrt())
+    pub(in crate::method) fn squares<S: Scalar, X: Vector<S>>(&self, k: &[X; K], weight: &X) -> [S; N] {
+        self.0.map(|weights| {
+            let error = X::weighted(weights, k.each_ref()).map2(weight, |error, weight| error * weight);
+            error.fold(S::ZERO, |sum, e| e.mul_add(e, sum))
+        })
     }
-}
 
-impl<const K: usize> Weights<K, 1> {
-    /// Root mean square of the error, each component by its `weight`.
+    /// As [`squares`](Self::squares), of numbers that may have derivatives. The result has none, since it only decides.
     #[inline]
-    pub(in crate::method) fn norm<S: Real, X: Vector<S>>(&self, h: S, k: &[X; K], by: (&X, usize)) -> S {
-        self.first_norm(h, k, by)
-    }
-}
-
-impl<const K: usize> Weights<K, 2> {
-    /// err5^2 / sqrt(err5^2 + 0.01 err3^2): of order 7, and safe where err5 vanishes by chance (Hairer, Nørsett, Wanner I, II.10).
-    #[inline]
-    pub(in crate::method) fn norm<S: Real, X: Vector<S>>(
+    pub(in crate::method) fn plain_squares<S: Real, X: Vector<S>>(
         &self,
-        h: S,
         k: &[X; K],
-        (weight, count): (&X, usize),
-    ) -> S {
-        let [fifth, third] = self.0.map(|weights| square(weights, k, weight).plain());
-        let both = S::Plain::lit(0.01).mul_add(third, fifth);
-        if both == S::Plain::ZERO {
-            return S::ZERO;
+        weight: &X,
+    ) -> [S::Plain; N] {
+        if !S::HAS_DERIVATIVES {
+            return self.squares(k, weight).map(S::plain);
         }
-        S::of_plain(h.plain().abs() * fifth / (S::Plain::lit(count as f64) * both).sqrt())
+        self.0.map(|weights| {
+            let mut sum = S::Plain::ZERO;
+            for i in 0..X::LEN {
+                let e = S::Plain::weighted(weights, |j| k[j].at(i).plain()) * weight.at(i).plain();
+                sum = e.mul_add(e, sum);
+            }
+            sum
+        })
     }
 }
 
-/// Sum of the squares of an error, each component by its `weight`. It has no derivatives, since it only decides.
+/// Norm of the error of a step of `h` with so many components, by the squares of one estimate or of two.
+///
+/// Of one it is the root mean square. Of two it is err5^2 / sqrt(err5^2 + 0.01 err3^2): of order 7, and safe where err5 vanishes by chance
+/// (Hairer, Nørsett, Wanner I, II.10).
 #[inline]
-fn square<S: Real, X: Vector<S>, const K: usize>(weights: [f64; K], k: &[X; K], weight: &X) -> S {
-    if S::HAS_DERIVATIVES {
-        let mut sum = S::Plain::ZERO;
-        for i in 0..X::LEN {
-            let e = S::Plain::weighted(weights, |j| k[j].at(i).plain()) * weight.at(i).plain();
-            sum = e.mul_add(e, sum);
-        }
-        return S::of_plain(sum);
-    }
-    let error = X::weighted(weights, k.each_ref()).map2(weight, |error, weight| error * weight);
-    error.fold(S::ZERO, |sum, e| e.mul_add(e, sum))
+pub(in crate::method) fn norm<S: Scalar, const N: usize>(h: S, squares: [S; N], count: usize) -> S {
+    let [fifth, third] = squares[..] else { return first_norm(h, squares, count) };
+    let both = S::lit(0.01).mul_add(third, fifth);
+    let error = h.abs() * fifth / (S::lit(count as f64) * both).sqrt();
+    // Zero stays zero, and NaN stays NaN.
+    S::select(S::ZERO.lt(both), error, both)
+}
+
+/// Root mean square of the first error.
+#[inline]
+pub(in crate::method) fn first_norm<S: Scalar, const N: usize>(h: S, squares: [S; N], count: usize) -> S {
+    let mean = squares[0] / S::lit(count.max(1) as f64);
+    h.abs() * mean.sqrt()
 }
 
 /// Rate at a stage of the dense output; `last` is a vector of its size.

@@ -12,9 +12,7 @@ impl<M: System<S: Real>, P: Pair> InWords for Embedded<M, P> {
     fn each(&mut self, words: &mut impl Words) {
         words.numbers([&mut self.rtol, &mut self.longest_step]);
         words.word(&mut self.most_steps);
-        words.perhaps(&mut self.proposal, M::S::ZERO, Words::number);
-        self.control.each(words);
-        self.steady.each(words);
+        self.pace.each(words);
         words.perhaps(&mut self.rate, M::X::fill(M::S::ZERO), Words::vector);
         words.flag(&mut self.was_unhealthy);
         words.number(&mut self.projection.residue);

@@ -39,7 +39,7 @@ pub struct RadauIia5<M: Linear> {
     /// Proposal for the next step, s; `None` before the first.
     proposal: Option<M::S>,
     control: Control<M::S>,
-    steady: Steady<M::S>,
+    steady: Steady<<M::S as Real>::Plain>,
     convergence: Convergence<M::S>,
     /// Rate at the current state; `None` after a change of the state.
     rate: Option<M::X>,
@@ -265,7 +265,7 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
                 }
                 Ok(trial) => {
                     let estimate = self.error(context, &trial, &rate, &weights);
-                    let error = self.steady.error(h, estimate, ORDER);
+                    let error = M::S::of_plain(self.steady.error(h.plain(), estimate.plain(), ORDER));
                     let drift = self.drift_ratio(context, time, &trial.x);
                     let worst = larger(error, drift);
                     if worst <= M::S::lit(1.0) {
@@ -274,7 +274,7 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
                         self.arrive(context, (time, h), &trial, M::S::lit(limit))?;
                         self.by_error = !last && h < self.longest_step && drift <= error;
                         if h >= proposal {
-                            self.steady.accept(h, estimate, ORDER);
+                            self.steady.accept(h.plain(), estimate.plain(), ORDER);
                         }
                         let factor = self.control.accept(h, worst, trial.iterations);
                         let factor = factor.min(self.convergence.growth(trial.iterations));
