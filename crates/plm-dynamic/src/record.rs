@@ -66,12 +66,8 @@ const AT_END: f64 = 1e-9;
 
 impl Sample {
     fn of<M: Described<S = f64>>(state: &M::State) -> Self {
-        let outputs = by_number::shown(state.mechanism()).enumerate();
-        let values = outputs.map(|(k, output)| {
-            let value = M::observed(state, k).unwrap_or(f64::NAN);
-            output.map_or(value, |(_, output)| value / output.factor)
-        });
-        let mut sample = Sample { time: state.time(), bodies: Vec::new(), values: values.collect() };
+        let mut sample = Sample { time: state.time(), bodies: Vec::new(), values: Vec::new() };
+        by_number::all_shown::<M>(state, &mut |value| sample.values.push(value));
         M::poses(state, &mut |pose| sample.bodies.push(pose));
         sample
     }
