@@ -27,7 +27,7 @@ pub use crate::system::{
     Updated,
 };
 pub use crate::vector::Vector;
-pub use crate::{Assembly, BodyState, Described, Observed, Operations};
+pub use crate::{Assembly, BodyState, Common, Described, Observed, Operations};
 
 pub mod absolute {
     pub use crate::absolute::{

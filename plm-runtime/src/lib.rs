@@ -104,7 +104,7 @@ pub use linear::Linear;
 pub use mechanism::HasMasses;
 pub use mechanism::{AsMoment, At, InPlace, Mechanism, Moment};
 pub use method::{Adams, Dop853, Dopri5, Method, MoreauJean, Rk4, SemiImplicitEuler, Vern9};
-pub use observed::Observed;
+pub use observed::{Common, Observed};
 pub use one_sided::{OneSided, Side};
 pub use plm_math::Operations;
 pub use ports::Ports;

@@ -124,14 +124,16 @@ impl<'a, M: Linearisable> Linearised<'a, M> {
                 }
             };
             let (moment, slope) = self.change(along);
+            if let Matrix::C | Matrix::D = matrix {
+                let mut row = 0..rows;
+                <Lifted<M>>::observe(&moment, 0..rows, &mut |number| {
+                    let entry = number.map_or(M::S::ZERO, |number| number.tangents[0]);
+                    row.next().into_iter().for_each(|row| each(row, column, entry));
+                });
+                continue;
+            }
             for row in 0..rows {
-                let entry = match matrix {
-                    Matrix::C | Matrix::D => {
-                        <Lifted<M>>::observed(&moment, row).map_or(M::S::ZERO, |number| number.tangents[0])
-                    }
-                    _ => dot::<M>(&self.direction(row), &slope),
-                };
-                each(row, column, entry);
+                each(row, column, dot::<M>(&self.direction(row), &slope));
             }
         }
     }

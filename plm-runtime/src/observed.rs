@@ -1,4 +1,6 @@
-//! Quantities that are read by name.
+//! Quantities that are read by name, and what they have in common.
+
+use core::cell::{Cell, OnceCell};
 
 /// A quantity of a state that was found by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,5 +33,53 @@ impl Observed {
     /// Its place in the table.
     pub fn column(&self) -> usize {
         self.column
+    }
+}
+
+/// Pose, accelerations and a vector, which outputs of a moment have in common: each is worked out by the first output that reads it.
+///
+/// `P` is pose and velocity of all bodies, `U` the discrete state with the forces of contact, `A` accelerations and multipliers, and `V` a
+/// vector.
+#[derive(Debug)]
+pub struct Common<P, U, A, V: Copy> {
+    /// Pose and velocity of all bodies.
+    pub pose: OnceCell<P>,
+    /// The discrete state with the forces of contact.
+    pub loaded: OnceCell<U>,
+    /// Accelerations and multipliers.
+    pub solved: OnceCell<A>,
+    /// The vector that was read last, and the number of its first component.
+    vector: Cell<Option<(usize, V)>>,
+}
+
+impl<P, U, A, V: Copy> Common<P, U, A, V> {
+    /// Nothing is known yet.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            pose: OnceCell::new(),
+            loaded: OnceCell::new(),
+            solved: OnceCell::new(),
+            vector: Cell::new(None),
+        }
+    }
+
+    /// The vector whose first component has this number: the one that was read last, or a new one.
+    #[inline]
+    pub fn vector(&self, first: usize, make: impl FnOnce() -> V) -> V {
+        match self.vector.get() {
+            Some((known, vector)) if known == first => vector,
+            _ => {
+                let vector = make();
+                self.vector.set(Some((first, vector)));
+                vector
+            }
+        }
+    }
+}
+
+impl<P, U, A, V: Copy> Default for Common<P, U, A, V> {
+    fn default() -> Self {
+        Self::new()
     }
 }

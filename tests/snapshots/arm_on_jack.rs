@@ -92,6 +92,9 @@ mod plm_arm_on_jack_ {
         /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 10], [<S as Scalar>::Turns; 1], ()>;
 
+        /// Pose, accelerations and a vector, which outputs have in common.
+        type Common<S> = rt::Common<([S; 3], [S; 3]), Held<S>, ([S; 3], [S; 2]), [S; 2]>;
+
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -142,18 +145,33 @@ mod plm_arm_on_jack_ {
 
             /// Output `press.chamber1.pressure`, Pa.
             pub fn press_chamber1_pressure(&self) -> S {
+                self.press_chamber1_pressure_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn press_chamber1_pressure_among_(&self, common: &Common<S>) -> S {
                 self.x[2]
             }
 
             /// Output `press.chamber2.pressure`, Pa.
             pub fn press_chamber2_pressure(&self) -> S {
+                self.press_chamber2_pressure_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn press_chamber2_pressure_among_(&self, common: &Common<S>) -> S {
                 self.x[3]
             }
 
             /// Output `ram.length`, m.
             pub fn ram_length(&self) -> S {
-                let (q, _) = self.pose_();
-                let [arm_x, arm_y, arm_angle, ..] = q;
+                self.ram_length_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn ram_length_among_(&self, common: &Common<S>) -> S {
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
+                let [arm_x, arm_y, arm_angle, ..] = *q;
                 let lit = S::lit;
                 let by = rt::Factor;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
@@ -164,16 +182,18 @@ mod plm_arm_on_jack_ {
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (_, v) = self.pose_();
-                let [arm_vx, arm_vy, arm_omega, ..] = v;
+                let common = &Common::<S>::new();
+                let (_, v) = common.pose.get_or_init(|| self.pose_());
+                let [arm_vx, arm_vy, arm_omega, ..] = *v;
                 let by = rt::Factor;
                 by(50.0).mul_add(arm_vy.mul_add(arm_vy, arm_vx * arm_vx), by(0.005) * arm_omega * arm_omega)
             }
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, _) = self.pose_();
-                let [_, arm_y, ..] = q;
+                let common = &Common::<S>::new();
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
+                let [_, arm_y, ..] = *q;
                 let by = rt::Factor;
                 let g = self.mechanism.g;
                 by(100.0) * g * arm_y
@@ -181,10 +201,11 @@ mod plm_arm_on_jack_ {
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (q, v) = self.pose_();
-                let [arm_x, arm_y, arm_angle, ..] = q;
+                let common = &Common::<S>::new();
+                let (q, v) = common.pose.get_or_init(|| self.pose_());
+                let [arm_x, arm_y, arm_angle, ..] = *q;
                 let [_, _, press_chamber1_pressure, press_chamber2_pressure, ..] = self.x;
-                let [arm_vx, arm_vy, arm_omega, ..] = v;
+                let [arm_vx, arm_vy, arm_omega, ..] = *v;
                 let lit = S::lit;
                 let by = rt::Factor;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
@@ -227,7 +248,11 @@ mod plm_arm_on_jack_ {
                 [("press.chamber1.pressure", "Pa"), ("press.chamber2.pressure", "Pa"), ("ram.length", "m")];
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 3] {
-                [self.press_chamber1_pressure(), self.press_chamber2_pressure(), self.ram_length()]
+                let common = &Common::<S>::new();
+                let own_0 = self.press_chamber1_pressure_among_(common);
+                let own_1 = self.press_chamber2_pressure_among_(common);
+                let own_2 = self.ram_length_among_(common);
+                [own_0, own_1, own_2]
             }
 
             /// Names and SI units of the outputs and of all that is observed.
@@ -239,23 +264,24 @@ mod plm_arm_on_jack_ {
                 rt::Observed::find(&Self::OBSERVED, names)
             }
 
-            /// The values of these quantities, SI; each is worked out when it is asked for.
+            /// The values of these quantities, SI; each is worked out when it is asked for, and what they have in common once.
             pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
-                quantities.map(|quantity| self.column_(quantity.column()))
+                let common = &Common::<S>::new();
+                quantities.map(|quantity| self.column_(quantity.column(), common))
             }
 
             /// The value of a quantity by its number.
-            fn column_(&self, column: usize) -> S {
-                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+            fn column_(&self, column: usize, common: &Common<S>) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize, common: &Common<S>) -> S {
                     match column {
-                        0 => state.press_chamber1_pressure(),
-                        1 => state.press_chamber2_pressure(),
-                        2 => state.ram_length(),
+                        0 => state.press_chamber1_pressure_among_(common),
+                        1 => state.press_chamber2_pressure_among_(common),
+                        2 => state.ram_length_among_(common),
                         _ => S::lit(f64::NAN),
                     }
                 }
                 match column / 200 {
-                    0 => block_0(self, column),
+                    0 => block_0(self, column, common),
                     _ => S::lit(f64::NAN),
                 }
             }
@@ -533,9 +559,13 @@ mod plm_arm_on_jack_ {
         impl<S: Real> State<S> {
             /// The state in absolute coordinates.
             fn absolute_(&self) -> [S; 14] {
-                let (q, v) = self.pose_();
+                self.joined_(&self.pose_())
+            }
+
+            /// The state in absolute coordinates, of pose and velocity.
+            fn joined_(&self, (q, v): &([S; 3], [S; 3])) -> [S; 14] {
                 let mut x = [S::lit(0.0); 14];
-                absolute::join(&q, &v, &mut x);
+                absolute::join(q, v, &mut x);
                 for k in 0..8 {
                     x[6 + k] = self.x[2 + k];
                 }
@@ -1269,7 +1299,18 @@ mod plm_arm_on_jack_ {
             }
 
             fn observed(state: &State<S>, index: usize) -> Option<S> {
-                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index, &Common::<S>::new()))
+            }
+
+            fn observe(
+                state: &State<S>,
+                quantities: impl IntoIterator<Item = usize>,
+                each: &mut impl FnMut(Option<S>),
+            ) {
+                let common = &Common::<S>::new();
+                for index in quantities {
+                    each((index < State::<S>::OBSERVED.len()).then(|| state.column_(index, common)));
+                }
             }
         }
 

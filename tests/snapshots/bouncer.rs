@@ -72,6 +72,9 @@ mod plm_bouncer_ {
         /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 4], [<S as Scalar>::Turns; 0], ()>;
 
+        /// Pose, accelerations and a vector, which outputs have in common.
+        type Common<S> = rt::Common<([S; 6], [S; 6]), Held<S>, ([S; 6], [S; 4]), [S; 2]>;
+
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -128,14 +131,20 @@ mod plm_bouncer_ {
 
             /// Output `block.x`, m.
             pub fn block_x(&self) -> S {
-                let (q, _) = self.pose_();
+                self.block_x_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn block_x_among_(&self, common: &Common<S>) -> S {
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
                 q[0]
             }
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (_, v) = self.pose_();
-                let [block_vx, block_vy, block_omega, clock_vx, clock_vy, clock_omega, ..] = v;
+                let common = &Common::<S>::new();
+                let (_, v) = common.pose.get_or_init(|| self.pose_());
+                let [block_vx, block_vy, block_omega, clock_vx, clock_vy, clock_omega, ..] = *v;
                 let by = rt::Factor;
                 let t1 = by(2.0).mul_add(
                     block_vy.mul_add(block_vy, block_vx * block_vx),
@@ -155,10 +164,11 @@ mod plm_bouncer_ {
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (q, v) = self.pose_();
-                let [_, _, _, clock_x, ..] = q;
+                let common = &Common::<S>::new();
+                let (q, v) = common.pose.get_or_init(|| self.pose_());
+                let [_, _, _, clock_x, ..] = *q;
                 let [_, switch_1, switch_2, switch_3, ..] = self.held.switches;
-                let [block_vx, _, _, clock_vx, ..] = v;
+                let [block_vx, _, _, clock_vx, ..] = *v;
                 let lit = S::lit;
                 let by = rt::Factor;
                 let push = self.held.input.push;
@@ -183,7 +193,9 @@ mod plm_bouncer_ {
             pub const OUTPUTS: [(&'static str, &'static str); 1] = [("block.x", "m")];
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 1] {
-                [self.block_x()]
+                let common = &Common::<S>::new();
+                let own_0 = self.block_x_among_(common);
+                [own_0]
             }
 
             /// Names and SI units of the outputs and of all that is observed.
@@ -194,21 +206,22 @@ mod plm_bouncer_ {
                 rt::Observed::find(&Self::OBSERVED, names)
             }
 
-            /// The values of these quantities, SI; each is worked out when it is asked for.
+            /// The values of these quantities, SI; each is worked out when it is asked for, and what they have in common once.
             pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
-                quantities.map(|quantity| self.column_(quantity.column()))
+                let common = &Common::<S>::new();
+                quantities.map(|quantity| self.column_(quantity.column(), common))
             }
 
             /// The value of a quantity by its number.
-            fn column_(&self, column: usize) -> S {
-                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+            fn column_(&self, column: usize, common: &Common<S>) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize, common: &Common<S>) -> S {
                     match column {
-                        0 => state.block_x(),
+                        0 => state.block_x_among_(common),
                         _ => S::lit(f64::NAN),
                     }
                 }
                 match column / 200 {
-                    0 => block_0(self, column),
+                    0 => block_0(self, column, common),
                     _ => S::lit(f64::NAN),
                 }
             }
@@ -413,9 +426,13 @@ mod plm_bouncer_ {
         impl<S: Real> State<S> {
             /// The state in absolute coordinates.
             fn absolute_(&self) -> [S; 12] {
-                let (q, v) = self.pose_();
+                self.joined_(&self.pose_())
+            }
+
+            /// The state in absolute coordinates, of pose and velocity.
+            fn joined_(&self, (q, v): &([S; 6], [S; 6])) -> [S; 12] {
                 let mut x = [S::lit(0.0); 12];
-                absolute::join(&q, &v, &mut x);
+                absolute::join(q, v, &mut x);
                 x
             }
         }
@@ -940,7 +957,18 @@ mod plm_bouncer_ {
             }
 
             fn observed(state: &State<S>, index: usize) -> Option<S> {
-                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index, &Common::<S>::new()))
+            }
+
+            fn observe(
+                state: &State<S>,
+                quantities: impl IntoIterator<Item = usize>,
+                each: &mut impl FnMut(Option<S>),
+            ) {
+                let common = &Common::<S>::new();
+                for index in quantities {
+                    each((index < State::<S>::OBSERVED.len()).then(|| state.column_(index, common)));
+                }
             }
         }
 

@@ -80,6 +80,9 @@ mod plm_chain_ {
         /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 5], ()>;
 
+        /// Pose, accelerations and a vector, which outputs have in common.
+        type Common<S> = rt::Common<([S; 15], [S; 15]), Held<S>, ([S; 15], [S; 10]), [S; 2]>;
+
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -160,7 +163,12 @@ mod plm_chain_ {
 
             /// Output `bar[4].b.y`, m.
             pub fn bar_4_b_y(&self) -> S {
-                let (q, _) = self.pose_();
+                self.bar_4_b_y_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn bar_4_b_y_among_(&self, common: &Common<S>) -> S {
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
                 let bar_4_y = q[13];
                 let bar_4_angle = q[14];
                 let by = rt::Factor;
@@ -169,7 +177,8 @@ mod plm_chain_ {
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (_, v) = self.pose_();
+                let common = &Common::<S>::new();
+                let (_, v) = common.pose.get_or_init(|| self.pose_());
                 let [
                     bar_0_vx,
                     bar_0_vy,
@@ -187,7 +196,7 @@ mod plm_chain_ {
                     bar_4_vy,
                     bar_4_omega,
                     ..,
-                ] = v;
+                ] = *v;
                 let by = rt::Factor;
                 let t1 = bar_4_omega.mul_add(
                     bar_4_omega,
@@ -215,7 +224,8 @@ mod plm_chain_ {
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, _) = self.pose_();
+                let common = &Common::<S>::new();
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
                 let bar_0_y = q[1];
                 let bar_1_y = q[4];
                 let bar_2_y = q[7];
@@ -227,8 +237,9 @@ mod plm_chain_ {
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (_, v) = self.pose_();
-                let [_, _, bar_0_omega, ..] = v;
+                let common = &Common::<S>::new();
+                let (_, v) = common.pose.get_or_init(|| self.pose_());
+                let [_, _, bar_0_omega, ..] = *v;
                 let by = rt::Factor;
                 by(-0.1) * bar_0_omega * bar_0_omega
             }
@@ -259,7 +270,8 @@ mod plm_chain_ {
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 4] {
                 let mut value = [S::lit(0.0); 4];
-                let (q, _) = self.pose_();
+                let common = &Common::<S>::new();
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
                 let [
                     bar_0_x,
                     bar_0_y,
@@ -276,7 +288,7 @@ mod plm_chain_ {
                     bar_4_x,
                     bar_4_y,
                     ..,
-                ] = q;
+                ] = *q;
                 let by = rt::Factor;
                 let (
                     [sin_bar_0_angle, sin_bar_1_angle, sin_bar_2_angle, sin_bar_3_angle],
@@ -315,7 +327,9 @@ mod plm_chain_ {
             pub const OUTPUTS: [(&'static str, &'static str); 1] = [("bar[4].b.y", "m")];
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 1] {
-                [self.bar_4_b_y()]
+                let common = &Common::<S>::new();
+                let own_0 = self.bar_4_b_y_among_(common);
+                [own_0]
             }
 
             /// Names and SI units of the outputs and of all that is observed.
@@ -326,21 +340,22 @@ mod plm_chain_ {
                 rt::Observed::find(&Self::OBSERVED, names)
             }
 
-            /// The values of these quantities, SI; each is worked out when it is asked for.
+            /// The values of these quantities, SI; each is worked out when it is asked for, and what they have in common once.
             pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
-                quantities.map(|quantity| self.column_(quantity.column()))
+                let common = &Common::<S>::new();
+                quantities.map(|quantity| self.column_(quantity.column(), common))
             }
 
             /// The value of a quantity by its number.
-            fn column_(&self, column: usize) -> S {
-                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+            fn column_(&self, column: usize, common: &Common<S>) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize, common: &Common<S>) -> S {
                     match column {
-                        0 => state.bar_4_b_y(),
+                        0 => state.bar_4_b_y_among_(common),
                         _ => S::lit(f64::NAN),
                     }
                 }
                 match column / 200 {
-                    0 => block_0(self, column),
+                    0 => block_0(self, column, common),
                     _ => S::lit(f64::NAN),
                 }
             }
@@ -554,9 +569,13 @@ mod plm_chain_ {
         impl<S: Real> State<S> {
             /// The state in absolute coordinates.
             fn absolute_(&self) -> [S; 30] {
-                let (q, v) = self.pose_();
+                self.joined_(&self.pose_())
+            }
+
+            /// The state in absolute coordinates, of pose and velocity.
+            fn joined_(&self, (q, v): &([S; 15], [S; 15])) -> [S; 30] {
                 let mut x = [S::lit(0.0); 30];
-                absolute::join(&q, &v, &mut x);
+                absolute::join(q, v, &mut x);
                 x
             }
         }
@@ -1460,7 +1479,18 @@ mod plm_chain_ {
             }
 
             fn observed(state: &State<S>, index: usize) -> Option<S> {
-                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index, &Common::<S>::new()))
+            }
+
+            fn observe(
+                state: &State<S>,
+                quantities: impl IntoIterator<Item = usize>,
+                each: &mut impl FnMut(Option<S>),
+            ) {
+                let common = &Common::<S>::new();
+                for index in quantities {
+                    each((index < State::<S>::OBSERVED.len()).then(|| state.column_(index, common)));
+                }
             }
         }
 

@@ -68,6 +68,9 @@ mod plm_double_pendulum_ {
         /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 2], ()>;
 
+        /// Pose, accelerations and a vector, which outputs have in common.
+        type Common<S> = rt::Common<([S; 6], [S; 6]), Held<S>, ([S; 6], [S; 4]), [S; 2]>;
+
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -124,8 +127,13 @@ mod plm_double_pendulum_ {
 
             /// Output `arm.angle`, rad.
             pub fn arm_angle(&self) -> S {
-                let (q, _) = self.pose_();
-                let [_, _, arm_angle, ..] = q;
+                self.arm_angle_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn arm_angle_among_(&self, common: &Common<S>) -> S {
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
+                let [_, _, arm_angle, ..] = *q;
                 let by = rt::Factor;
                 let arm_turns = S::of_turns(self.held.turns[0]);
                 by(6.283185307179586).mul_add(arm_turns, arm_angle)
@@ -133,7 +141,12 @@ mod plm_double_pendulum_ {
 
             /// Output `forearm.angle`, rad.
             pub fn forearm_angle(&self) -> S {
-                let (q, _) = self.pose_();
+                self.forearm_angle_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn forearm_angle_among_(&self, common: &Common<S>) -> S {
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
                 let forearm_angle = q[5];
                 let by = rt::Factor;
                 let forearm_turns = S::of_turns(self.held.turns[1]);
@@ -144,8 +157,13 @@ mod plm_double_pendulum_ {
             ///
             /// What the joint does to `ground`, absolute axes; `arm` feels the opposite.
             pub fn shoulder_force(&self) -> [S; 2] {
+                self.shoulder_force_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn shoulder_force_among_(&self, common: &Common<S>) -> [S; 2] {
                 let mut value = [S::lit(0.0); 2];
-                let (_, lambda) = self.solved_();
+                let (_, lambda) = common.solved.get_or_init(|| self.solved_(common));
                 value[0] = lambda[0];
                 value[1] = lambda[1];
                 value
@@ -155,8 +173,13 @@ mod plm_double_pendulum_ {
             ///
             /// What the joint does to `arm`, absolute axes; `forearm` feels the opposite.
             pub fn elbow_force(&self) -> [S; 2] {
+                self.elbow_force_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn elbow_force_among_(&self, common: &Common<S>) -> [S; 2] {
                 let mut value = [S::lit(0.0); 2];
-                let (_, lambda) = self.solved_();
+                let (_, lambda) = common.solved.get_or_init(|| self.solved_(common));
                 value[0] = lambda[2];
                 value[1] = lambda[3];
                 value
@@ -164,8 +187,9 @@ mod plm_double_pendulum_ {
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (_, v) = self.pose_();
-                let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = v;
+                let common = &Common::<S>::new();
+                let (_, v) = common.pose.get_or_init(|| self.pose_());
+                let [arm_vx, arm_vy, arm_omega, forearm_vx, forearm_vy, forearm_omega, ..] = *v;
                 let by = rt::Factor;
                 let t1 = by(5.0)
                     * forearm_vy.mul_add(
@@ -177,16 +201,18 @@ mod plm_double_pendulum_ {
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, _) = self.pose_();
-                let [_, arm_y, _, _, forearm_y, ..] = q;
+                let common = &Common::<S>::new();
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
+                let [_, arm_y, _, _, forearm_y, ..] = *q;
                 let by = rt::Factor;
                 by(98.1) * (arm_y + forearm_y)
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (_, v) = self.pose_();
-                let [_, _, arm_omega, _, _, forearm_omega, ..] = v;
+                let common = &Common::<S>::new();
+                let (_, v) = common.pose.get_or_init(|| self.pose_());
+                let [_, _, arm_omega, _, _, forearm_omega, ..] = *v;
                 let by = rt::Factor;
                 let t1 = arm_omega - forearm_omega;
                 by(-9.54929658551372) * (-forearm_omega).mul_add(t1, arm_omega * (arm_omega + t1))
@@ -196,8 +222,9 @@ mod plm_double_pendulum_ {
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 1] {
                 let mut value = [S::lit(0.0); 1];
-                let (q, _) = self.pose_();
-                let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, ..] = q;
+                let common = &Common::<S>::new();
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
+                let [arm_x, arm_y, arm_angle, forearm_x, forearm_y, ..] = *q;
                 let by = rt::Factor;
                 let (sin_arm_angle, cos_arm_angle) = arm_angle.sin_cos();
                 let t1 = by(0.5).mul_add(sin_arm_angle, arm_y) - forearm_y;
@@ -219,13 +246,18 @@ mod plm_double_pendulum_ {
             ];
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 6] {
+                let common = &Common::<S>::new();
+                let own_0 = self.arm_angle_among_(common);
+                let own_1 = self.forearm_angle_among_(common);
+                let own_2 = self.shoulder_force_among_(common);
+                let own_3 = self.elbow_force_among_(common);
                 [
-                    self.arm_angle() / S::lit(0.017453292519943295),
-                    self.forearm_angle() / S::lit(0.017453292519943295),
-                    self.shoulder_force()[0],
-                    self.shoulder_force()[1],
-                    self.elbow_force()[0],
-                    self.elbow_force()[1],
+                    own_0 / S::lit(0.017453292519943295),
+                    own_1 / S::lit(0.017453292519943295),
+                    own_2[0],
+                    own_2[1],
+                    own_3[0],
+                    own_3[1],
                 ]
             }
 
@@ -244,26 +276,27 @@ mod plm_double_pendulum_ {
                 rt::Observed::find(&Self::OBSERVED, names)
             }
 
-            /// The values of these quantities, SI; each is worked out when it is asked for.
+            /// The values of these quantities, SI; each is worked out when it is asked for, and what they have in common once.
             pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
-                quantities.map(|quantity| self.column_(quantity.column()))
+                let common = &Common::<S>::new();
+                quantities.map(|quantity| self.column_(quantity.column(), common))
             }
 
             /// The value of a quantity by its number.
-            fn column_(&self, column: usize) -> S {
-                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+            fn column_(&self, column: usize, common: &Common<S>) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize, common: &Common<S>) -> S {
                     match column {
-                        0 => state.arm_angle(),
-                        1 => state.forearm_angle(),
-                        2 => state.shoulder_force()[0],
-                        3 => state.shoulder_force()[1],
-                        4 => state.elbow_force()[0],
-                        5 => state.elbow_force()[1],
+                        0 => state.arm_angle_among_(common),
+                        1 => state.forearm_angle_among_(common),
+                        2 => common.vector(2, || state.shoulder_force_among_(common))[0],
+                        3 => common.vector(2, || state.shoulder_force_among_(common))[1],
+                        4 => common.vector(4, || state.elbow_force_among_(common))[0],
+                        5 => common.vector(4, || state.elbow_force_among_(common))[1],
                         _ => S::lit(f64::NAN),
                     }
                 }
                 match column / 200 {
-                    0 => block_0(self, column),
+                    0 => block_0(self, column, common),
                     _ => S::lit(f64::NAN),
                 }
             }
@@ -433,9 +466,13 @@ mod plm_double_pendulum_ {
         impl<S: Real> State<S> {
             /// The state in absolute coordinates.
             fn absolute_(&self) -> [S; 12] {
-                let (q, v) = self.pose_();
+                self.joined_(&self.pose_())
+            }
+
+            /// The state in absolute coordinates, of pose and velocity.
+            fn joined_(&self, (q, v): &([S; 6], [S; 6])) -> [S; 12] {
                 let mut x = [S::lit(0.0); 12];
-                absolute::join(&q, &v, &mut x);
+                absolute::join(q, v, &mut x);
                 x
             }
         }
@@ -719,7 +756,7 @@ mod plm_double_pendulum_ {
         impl<S: Real> State<S> {
             /// Accelerations and multipliers.
             #[inline]
-            fn solved_(&self) -> ([S; 6], [S; 4]) {
+            fn solved_(&self, common: &Common<S>) -> ([S; 6], [S; 4]) {
                 let (mut a, mut lambda) = ([S::lit(0.0); 6], [S::lit(0.0); 4]);
                 self.mechanism.reactions(self.time, &self.held, &self.x, &mut a, &mut lambda);
                 (a, lambda)
@@ -1020,7 +1057,18 @@ mod plm_double_pendulum_ {
             }
 
             fn observed(state: &State<S>, index: usize) -> Option<S> {
-                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index, &Common::<S>::new()))
+            }
+
+            fn observe(
+                state: &State<S>,
+                quantities: impl IntoIterator<Item = usize>,
+                each: &mut impl FnMut(Option<S>),
+            ) {
+                let common = &Common::<S>::new();
+                for index in quantities {
+                    each((index < State::<S>::OBSERVED.len()).then(|| state.column_(index, common)));
+                }
             }
         }
 

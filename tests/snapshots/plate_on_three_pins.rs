@@ -84,6 +84,9 @@ mod plm_plate_on_three_pins_ {
             rt::charts::OfLoops<rt::charts::Continuation<S, 0, 4, 1, 4>, [S; 12]>,
         >;
 
+        /// Pose, accelerations and a vector, which outputs have in common.
+        type Common<S> = rt::Common<([S; 12], [S; 12]), Held<S>, ([S; 12], [S; 12]), [S; 2]>;
+
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -162,9 +165,14 @@ mod plm_plate_on_three_pins_ {
             ///
             /// What the slot does to `plate` at the point of `crank[2].p`, absolute axes; `crank[2]` feels the opposite.
             pub fn slot_2_force(&self) -> [S; 2] {
+                self.slot_2_force_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn slot_2_force_among_(&self, common: &Common<S>) -> [S; 2] {
                 let mut value = [S::lit(0.0); 2];
-                let (_, lambda) = self.solved_();
-                let (q, _) = self.pose_();
+                let (_, lambda) = common.solved.get_or_init(|| self.solved_(common));
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
                 let lambda_slot_2_normal = lambda[8];
                 let plate_angle = q[11];
                 let by = rt::Factor;
@@ -180,7 +188,8 @@ mod plm_plate_on_three_pins_ {
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (_, v) = self.pose_();
+                let common = &Common::<S>::new();
+                let (_, v) = common.pose.get_or_init(|| self.pose_());
                 let [
                     crank_0_vx,
                     crank_0_vy,
@@ -195,7 +204,7 @@ mod plm_plate_on_three_pins_ {
                     plate_vy,
                     plate_omega,
                     ..,
-                ] = v;
+                ] = *v;
                 let by = rt::Factor;
                 let t1 = crank_2_vx.mul_add(
                     crank_2_vx,
@@ -220,7 +229,8 @@ mod plm_plate_on_three_pins_ {
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, _) = self.pose_();
+                let common = &Common::<S>::new();
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
                 let crank_0_y = q[1];
                 let crank_1_y = q[4];
                 let crank_2_y = q[7];
@@ -231,7 +241,8 @@ mod plm_plate_on_three_pins_ {
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (q, v) = self.pose_();
+                let common = &Common::<S>::new();
+                let (q, v) = common.pose.get_or_init(|| self.pose_());
                 let [
                     crank_0_x,
                     crank_0_y,
@@ -246,7 +257,7 @@ mod plm_plate_on_three_pins_ {
                     plate_y,
                     plate_angle,
                     ..,
-                ] = q;
+                ] = *q;
                 let [
                     crank_0_vx,
                     crank_0_vy,
@@ -261,7 +272,7 @@ mod plm_plate_on_three_pins_ {
                     plate_vy,
                     plate_omega,
                     ..,
-                ] = v;
+                ] = *v;
                 let by = rt::Factor;
                 let ([sin_plate_angle, sin_crank_0_angle], [cos_plate_angle, cos_crank_0_angle]) =
                     S::sin_cos_all([plate_angle, crank_0_angle]);
@@ -320,7 +331,9 @@ mod plm_plate_on_three_pins_ {
                 [("slot[2].force.x", "N"), ("slot[2].force.y", "N")];
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
-                [self.slot_2_force()[0], self.slot_2_force()[1]]
+                let common = &Common::<S>::new();
+                let own_0 = self.slot_2_force_among_(common);
+                [own_0[0], own_0[1]]
             }
 
             /// Names and SI units of the outputs and of all that is observed.
@@ -332,22 +345,23 @@ mod plm_plate_on_three_pins_ {
                 rt::Observed::find(&Self::OBSERVED, names)
             }
 
-            /// The values of these quantities, SI; each is worked out when it is asked for.
+            /// The values of these quantities, SI; each is worked out when it is asked for, and what they have in common once.
             pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
-                quantities.map(|quantity| self.column_(quantity.column()))
+                let common = &Common::<S>::new();
+                quantities.map(|quantity| self.column_(quantity.column(), common))
             }
 
             /// The value of a quantity by its number.
-            fn column_(&self, column: usize) -> S {
-                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+            fn column_(&self, column: usize, common: &Common<S>) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize, common: &Common<S>) -> S {
                     match column {
-                        0 => state.slot_2_force()[0],
-                        1 => state.slot_2_force()[1],
+                        0 => common.vector(0, || state.slot_2_force_among_(common))[0],
+                        1 => common.vector(0, || state.slot_2_force_among_(common))[1],
                         _ => S::lit(f64::NAN),
                     }
                 }
                 match column / 200 {
-                    0 => block_0(self, column),
+                    0 => block_0(self, column, common),
                     _ => S::lit(f64::NAN),
                 }
             }
@@ -961,9 +975,13 @@ mod plm_plate_on_three_pins_ {
         impl<S: Real> State<S> {
             /// The state in absolute coordinates.
             fn absolute_(&self) -> [S; 24] {
-                let (q, v) = self.pose_();
+                self.joined_(&self.pose_())
+            }
+
+            /// The state in absolute coordinates, of pose and velocity.
+            fn joined_(&self, (q, v): &([S; 12], [S; 12])) -> [S; 24] {
                 let mut x = [S::lit(0.0); 24];
-                absolute::join(&q, &v, &mut x);
+                absolute::join(q, v, &mut x);
                 x
             }
         }
@@ -1729,9 +1747,9 @@ mod plm_plate_on_three_pins_ {
 
         impl<S: Real> State<S> {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
-            fn solved_(&self) -> ([S; 12], [S; 12]) {
+            fn solved_(&self, common: &Common<S>) -> ([S; 12], [S; 12]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 24], [S::lit(0.0); 12]);
-                let (u, x) = (&self.held, self.absolute_());
+                let (u, x) = (&self.held, self.joined_(common.pose.get_or_init(|| self.pose_())));
                 let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
                     if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
@@ -2084,7 +2102,18 @@ mod plm_plate_on_three_pins_ {
             }
 
             fn observed(state: &State<S>, index: usize) -> Option<S> {
-                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index, &Common::<S>::new()))
+            }
+
+            fn observe(
+                state: &State<S>,
+                quantities: impl IntoIterator<Item = usize>,
+                each: &mut impl FnMut(Option<S>),
+            ) {
+                let common = &Common::<S>::new();
+                for index in quantities {
+                    each((index < State::<S>::OBSERVED.len()).then(|| state.column_(index, common)));
+                }
             }
         }
 

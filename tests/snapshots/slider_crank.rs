@@ -72,6 +72,9 @@ mod plm_slider_crank_ {
         /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; 0], [<S as Scalar>::Turns; 2], ()>;
 
+        /// Pose, accelerations and a vector, which outputs have in common.
+        type Common<S> = rt::Common<([S; 9], [S; 9]), Held<S>, ([S; 9], [S; 8]), [S; 2]>;
+
         /// The mechanism at one moment; its methods read poses and outputs, `input` has the inputs.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct State<S = f64> {
@@ -139,8 +142,13 @@ mod plm_slider_crank_ {
             ///
             /// What the joint does to `ground`, absolute axes; `crank` feels the opposite.
             pub fn drive_force(&self) -> [S; 2] {
+                self.drive_force_among_(&Common::<S>::new())
+            }
+
+            #[inline]
+            fn drive_force_among_(&self, common: &Common<S>) -> [S; 2] {
                 let mut value = [S::lit(0.0); 2];
-                let (_, lambda) = self.solved_();
+                let (_, lambda) = common.solved.get_or_init(|| self.solved_(common));
                 value[0] = lambda[0];
                 value[1] = lambda[1];
                 value
@@ -148,7 +156,8 @@ mod plm_slider_crank_ {
 
             /// Kinetic energy of all bodies, J.
             pub fn kinetic_energy(&self) -> S {
-                let (_, v) = self.pose_();
+                let common = &Common::<S>::new();
+                let (_, v) = common.pose.get_or_init(|| self.pose_());
                 let [
                     crank_vx,
                     crank_vy,
@@ -160,7 +169,7 @@ mod plm_slider_crank_ {
                     slider_vy,
                     slider_omega,
                     ..,
-                ] = v;
+                ] = *v;
                 let by = rt::Factor;
                 let t1 = (by(0.0005) * slider_omega).mul_add(
                     slider_omega,
@@ -176,15 +185,17 @@ mod plm_slider_crank_ {
 
             /// Potential energy of gravity above the origin, J.
             pub fn gravity_energy(&self) -> S {
-                let (q, _) = self.pose_();
-                let [_, crank_y, _, _, rod_y, _, _, slider_y, ..] = q;
+                let common = &Common::<S>::new();
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
+                let [_, crank_y, _, _, rod_y, _, _, slider_y, ..] = *q;
                 let by = rt::Factor;
                 by(4.905).mul_add(slider_y, by(5.886).mul_add(rod_y, by(1.962) * crank_y))
             }
 
             /// Power of all forces and torques but gravity and reactions, W.
             pub fn load_power(&self) -> S {
-                let (_, v) = self.pose_();
+                let common = &Common::<S>::new();
+                let (_, v) = common.pose.get_or_init(|| self.pose_());
                 v[2]
             }
 
@@ -192,8 +203,9 @@ mod plm_slider_crank_ {
             /// the second turns from the first, rad, positive to the left.
             pub fn branches(&self) -> [(&'static str, S); 1] {
                 let mut value = [S::lit(0.0); 1];
-                let (q, _) = self.pose_();
-                let [crank_x, crank_y, crank_angle, rod_x, rod_y, rod_angle, ..] = q;
+                let common = &Common::<S>::new();
+                let (q, _) = common.pose.get_or_init(|| self.pose_());
+                let [crank_x, crank_y, crank_angle, rod_x, rod_y, rod_angle, ..] = *q;
                 let by = rt::Factor;
                 let ([sin_crank_angle, sin_rod_angle], [cos_crank_angle, cos_rod_angle]) =
                     S::sin_cos_all([crank_angle, rod_angle]);
@@ -210,7 +222,9 @@ mod plm_slider_crank_ {
                 [("drive.force.x", "N"), ("drive.force.y", "N")];
             /// The declared outputs, in the units of [`State::OUTPUTS`].
             pub fn outputs(&self) -> [S; 2] {
-                [self.drive_force()[0], self.drive_force()[1]]
+                let common = &Common::<S>::new();
+                let own_0 = self.drive_force_among_(common);
+                [own_0[0], own_0[1]]
             }
 
             /// Names and SI units of the outputs and of all that is observed.
@@ -222,22 +236,23 @@ mod plm_slider_crank_ {
                 rt::Observed::find(&Self::OBSERVED, names)
             }
 
-            /// The values of these quantities, SI; each is worked out when it is asked for.
+            /// The values of these quantities, SI; each is worked out when it is asked for, and what they have in common once.
             pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
-                quantities.map(|quantity| self.column_(quantity.column()))
+                let common = &Common::<S>::new();
+                quantities.map(|quantity| self.column_(quantity.column(), common))
             }
 
             /// The value of a quantity by its number.
-            fn column_(&self, column: usize) -> S {
-                fn block_0<S: Real>(state: &State<S>, column: usize) -> S {
+            fn column_(&self, column: usize, common: &Common<S>) -> S {
+                fn block_0<S: Real>(state: &State<S>, column: usize, common: &Common<S>) -> S {
                     match column {
-                        0 => state.drive_force()[0],
-                        1 => state.drive_force()[1],
+                        0 => common.vector(0, || state.drive_force_among_(common))[0],
+                        1 => common.vector(0, || state.drive_force_among_(common))[1],
                         _ => S::lit(f64::NAN),
                     }
                 }
                 match column / 200 {
-                    0 => block_0(self, column),
+                    0 => block_0(self, column, common),
                     _ => S::lit(f64::NAN),
                 }
             }
@@ -478,9 +493,13 @@ mod plm_slider_crank_ {
         impl<S: Real> State<S> {
             /// The state in absolute coordinates.
             fn absolute_(&self) -> [S; 18] {
-                let (q, v) = self.pose_();
+                self.joined_(&self.pose_())
+            }
+
+            /// The state in absolute coordinates, of pose and velocity.
+            fn joined_(&self, (q, v): &([S; 9], [S; 9])) -> [S; 18] {
                 let mut x = [S::lit(0.0); 18];
-                absolute::join(&q, &v, &mut x);
+                absolute::join(q, v, &mut x);
                 x
             }
         }
@@ -906,9 +925,9 @@ mod plm_slider_crank_ {
 
         impl<S: Real> State<S> {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
-            fn solved_(&self) -> ([S; 9], [S; 8]) {
+            fn solved_(&self, common: &Common<S>) -> ([S; 9], [S; 8]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); 18], [S::lit(0.0); 8]);
-                let (u, x) = (&self.held, self.absolute_());
+                let (u, x) = (&self.held, self.joined_(common.pose.get_or_init(|| self.pose_())));
                 let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
                     if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
@@ -1232,7 +1251,18 @@ mod plm_slider_crank_ {
             }
 
             fn observed(state: &State<S>, index: usize) -> Option<S> {
-                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index))
+                (index < State::<S>::OBSERVED.len()).then(|| state.column_(index, &Common::<S>::new()))
+            }
+
+            fn observe(
+                state: &State<S>,
+                quantities: impl IntoIterator<Item = usize>,
+                each: &mut impl FnMut(Option<S>),
+            ) {
+                let common = &Common::<S>::new();
+                for index in quantities {
+                    each((index < State::<S>::OBSERVED.len()).then(|| state.column_(index, common)));
+                }
             }
         }
 

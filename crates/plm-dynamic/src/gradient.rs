@@ -2,7 +2,7 @@
 
 use plm_run::Integrator;
 use plm_runtime::sim::Seen;
-use plm_runtime::{Dop853, Dual, Fault, Method, Moment, Rk4, Sim, with_derivatives};
+use plm_runtime::{Described, Dop853, Dual, Fault, Method, Moment, Rk4, Sim, with_derivatives};
 
 use crate::capacity::{PARAMETERS, ROWS, SWITCHES};
 use crate::handle::Dynamic;
@@ -102,12 +102,14 @@ fn over<I: Method<Small>>(
     let see = |seen: Seen<'_, <Small as plm_runtime::Mechanism>::State>| {
         let Seen::Sample(state) = seen else { return };
         derivative.times.push(state.time().value);
-        let columns = derivative.values.iter_mut().zip(&mut derivative.slopes);
-        for (k, (values, slopes)) in quantities.iter().zip(columns) {
-            let Dual { value, tangents: [slope] } = state.output(*k).unwrap_or(Dual::constant(f64::NAN));
-            values.push(value);
-            slopes.push(slope);
-        }
+        let mut columns = derivative.values.iter_mut().zip(&mut derivative.slopes);
+        Small::observe(state, quantities.iter().copied(), &mut |number| {
+            let Dual { value, tangents: [slope] } = number.unwrap_or(Dual::constant(f64::NAN));
+            if let Some((values, slopes)) = columns.next() {
+                values.push(value);
+                slopes.push(slope);
+            }
+        });
     };
     Sim::watch_events_while(&mut sim, until, every, see, |_| goes_on())?;
     Ok(derivative)

@@ -36,7 +36,8 @@ pub(crate) struct Model {
     pub(crate) contacts: Option<Contacts>,
     pub(crate) sets: Sets,
     pub(crate) start: Start,
-    pub(crate) outputs: Vec<Code>,
+    /// The scalars and vectors of the outputs.
+    pub(crate) values: Vec<Code>,
     pub(crate) description: Description,
     pub(crate) names_of_starts: &'static [&'static str],
     pub(crate) labels: LabelTable,
@@ -143,6 +144,7 @@ impl Model {
                 &[]
             },
         };
+        let value = |of: &'static lowered::OutputValue| Code::new(&of.value, &["value"], state);
         let model = Model {
             contacts: Contacts::new(lowered, &layout, state),
             sets: Sets::new(&lowered.sets, state),
@@ -156,7 +158,7 @@ impl Model {
             in_charts: lowered.charts.iter().map(|chart| InChart::new(chart, state)).collect(),
             switches: Switches::new(lowered, state),
             start: Start::new(lowered, state),
-            outputs: lowered.outputs.iter().map(|output| Code::new(&output.value, &[], state)).collect(),
+            values: lowered.values.iter().map(value).collect(),
             description: Description::new(lowered, name, state),
             names_of_starts: texts(&lowered.starts.names),
             labels: labels(lowered),

@@ -68,15 +68,11 @@ const AT_END: f64 = 1e-9;
 
 impl Sample {
     fn of<M: Described<S = f64>>(state: &M::State) -> Self {
-        let outputs = by_number::shown(state.mechanism()).enumerate();
-        let values = outputs.map(|(k, output)| {
-            let value = M::observed(state, k).unwrap_or(f64::NAN);
-            output.map_or(value, |(_, output)| value / output.factor)
-        });
         let (mechanism, time) = (state.mechanism(), state.time());
         let ports = 0..mechanism.tables().ground.len();
         let ground = ports.map(|port| Place::components(mechanism.ground(time, port))).collect();
-        let mut sample = Sample { time, bodies: Vec::new(), ground, values: values.collect() };
+        let mut sample = Sample { time, bodies: Vec::new(), ground, values: Vec::new() };
+        by_number::all_shown::<M>(state, &mut |value| sample.values.push(value));
         M::poses(state, &mut |pose| sample.bodies.push(pose));
         sample
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use plm_compiler::Source;
-use plm_compiler::lowered::Target;
+use plm_compiler::lowered::{OutputValue, Target};
 
 use crate::Precision;
 use crate::block::{Argument, Block};
@@ -83,12 +83,10 @@ pub(crate) fn values(plan: &Plan) -> (Block, Vec<(Target, crate::block::Value)>)
     let mut block = plan.block();
     let mut results = Vec::new();
     for (k, (_, output)) in plan.outputs().enumerate() {
-        let own = block.routine(&output.value, |block, source| plan.read(block, source));
-        results.extend(
-            own.into_iter()
-                .filter(|(target, _)| *target == Target::Value)
-                .map(|(_, value)| (Target::Element("out", k), value)),
-        );
+        let Some(of) = plan.lowered.values.get(output.value) else { continue };
+        let own = block.routine(&of.value, |block, source| plan.read(block, source));
+        let own = own.into_iter().filter(|(target, _)| OutputValue::is_component(*target, output.component));
+        results.extend(own.map(|(_, value)| (Target::Element("out", k), value)));
     }
     (block, results)
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use plm_compiler::Source;
-use plm_compiler::lowered::{Chart, Form, Lowered, Output, ReadByConditions, Routine, Set};
+use plm_compiler::lowered::{Chart, Form, Lowered, Output, OutputValue, ReadByConditions, Routine, Set};
 use plm_dynamic::{Mechanism, Numbers, Steps};
 use plm_foreign::Names;
 use plm_runtime::described::Tables;
@@ -260,7 +260,7 @@ impl<'a> Plan<'a> {
         let mut solutions = solutions.chain([&self.lowered.absolute.dynamics]);
         let contacts = self.lowered.contacts.as_ref();
         contacts.is_some_and(|contacts| !contacts.is_affine)
-            || self.outputs().any(|(_, output)| reads(&output.value))
+            || self.values().any(|of| reads(&of.value))
             || self.solves() && solutions.any(reads)
     }
 
@@ -271,7 +271,13 @@ impl<'a> Plan<'a> {
 
     /// Does an output need accelerations or reactions?
     pub(crate) fn solves(&self) -> bool {
-        self.outputs().any(|(_, output)| output.solves)
+        self.values().any(|of| of.solves)
+    }
+
+    /// The values of its declared outputs.
+    fn values(&self) -> impl Iterator<Item = &'a OutputValue> {
+        let all = &self.lowered.values;
+        self.outputs().filter_map(move |(_, output)| all.get(output.value))
     }
 }
 

@@ -234,9 +234,16 @@ impl<M: Described> Recorder<M> {
         if self.quantities.iter().any(|taken| matches!(taken, Taken::Output(_))) {
             M::outputs(state, &mut |output| outputs.push(output.to_f64()));
         }
+        let observed = self.quantities.iter().filter_map(|taken| match *taken {
+            Taken::Observed(k) => Some(k),
+            Taken::Output(_) => None,
+        });
+        let mut seen = Vec::new();
+        M::observe(state, observed, &mut |value| seen.push(value.map_or(f64::NAN, Scalar::to_f64)));
+        let mut seen = seen.into_iter();
         let value = |taken: &Taken| match *taken {
             Taken::Output(k) => outputs.get(k).copied().unwrap_or(f64::NAN),
-            Taken::Observed(k) => M::observed(state, k).map_or(f64::NAN, Scalar::to_f64),
+            Taken::Observed(_) => seen.next().unwrap_or(f64::NAN),
         };
         self.quantities.iter().map(value).collect()
     }

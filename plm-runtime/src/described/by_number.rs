@@ -25,11 +25,17 @@ pub fn moment<M: Described<S = f64>>(state: &M::State, each: &mut impl FnMut(f64
         let place = Place::components(state.mechanism().ground(state.time(), port));
         place.into_iter().for_each(&mut *each);
     }
-    for (k, output) in shown(state.mechanism()).enumerate() {
-        let value = M::observed(state, k).unwrap_or(f64::NAN);
+    all_shown::<M>(state, each);
+}
+
+/// Gives `each` all observed quantities, outputs in their declared units and the others in SI.
+pub fn all_shown<M: Described<S = f64>>(state: &M::State, each: &mut impl FnMut(f64)) {
+    let mut outputs = shown(state.mechanism());
+    M::observe(state, 0..state.mechanism().observables().len(), &mut |value| {
+        let value = value.unwrap_or(f64::NAN);
         // As the output itself is made, to the bit.
-        each(output.map_or(value, |(_, output)| value / output.factor));
-    }
+        each(outputs.next().flatten().map_or(value, |(_, output)| value / output.factor));
+    });
 }
 
 /// Gives `each` what parameters change of bodies and ground, SI: of each body mass, moment of inertia, depth, place and angle of each

@@ -127,6 +127,18 @@ pub trait Described: Mechanism + Ports {
     /// A quantity of [`observables`](Self::observables), worked out when it is asked for.
     fn observed(state: &Self::State, index: usize) -> Option<Number<Self>>;
 
+    /// Gives `each` the quantities of these numbers in their order, as [`observed`](Self::observed) does; what they have in common, as the
+    /// pose and the accelerations, is worked out once.
+    fn observe(
+        state: &Self::State,
+        quantities: impl IntoIterator<Item = usize>,
+        each: &mut impl FnMut(Option<Number<Self>>),
+    ) {
+        for index in quantities {
+            each(Self::observed(state, index));
+        }
+    }
+
     /// Mass of a body, kg; `None` if it was declared without.
     fn mass(&self, body: usize) -> Option<Number<Self>> {
         self.declared(self.tables().bodies.get(body)?.first)

@@ -83,6 +83,11 @@ impl<'t, S: Real> Trace<'t, S> {
         self.variables as usize
     }
 
+    /// Terms of all operations so far, recorded or counted.
+    pub fn terms(&self) -> usize {
+        (self.next.get() - self.variables) as usize
+    }
+
     /// Terms for which there is room.
     pub fn room(&self) -> usize {
         self.terms.len()

@@ -1,7 +1,7 @@
 //! Names, numbers and outputs by number, for drawing, recording and setting a mechanism.
 
 use plm_runtime::described::{Described, Hole, Shape, Tables};
-use plm_runtime::{BodyState, Moment, Ports, Real};
+use plm_runtime::{BodyState, Common, Moment, Ports, Real};
 
 use crate::handle::{Dynamic, Frame, Held};
 
@@ -84,6 +84,15 @@ impl<
 
     fn observed(state: &Self::State, index: usize) -> Option<S> {
         state.output(index)
+    }
+
+    fn observe(
+        state: &Self::State,
+        quantities: impl IntoIterator<Item = usize>,
+        each: &mut impl FnMut(Option<S>),
+    ) {
+        let common = &Common::new();
+        quantities.into_iter().for_each(|index| each(state.output_of(index, common)));
     }
 
     fn state(state: &Self::State, index: usize) -> Option<S> {

@@ -1,11 +1,18 @@
 //! A mechanism at one moment.
 
 use plm_runtime::step::{Remainder, Stepped};
-use plm_runtime::{BodyState, Health, InPlace, Moment, Real, absolute, charts, turns};
+use plm_runtime::{BodyState, Common, Health, InPlace, Moment, Real, absolute, charts, turns};
 
 use crate::capacity::{PARAMETERS, ROWS, SWITCHES};
 use crate::handle::{Beside, Dynamic, Frame, Held};
 use plm_compiler::lowered::Form;
+
+/// Pose and velocity of every body.
+type Pose<S, const NQ: usize> = ([S; NQ], [S; NQ]);
+/// Accelerations and multipliers.
+type Solution<S, const NQ: usize, const NC: usize> = ([S; NQ], [S; NC]);
+/// A scalar, or the components of a vector.
+type Vector<S> = Option<[S; 2]>;
 
 /// A mechanism with its numbers at one moment.
 #[derive(Clone, Copy, Debug)]
@@ -113,6 +120,15 @@ impl<
         }
     }
 
+    /// The state in absolute coordinates, of pose and velocity.
+    fn absolute_at(&self, (q, v): &Pose<S, NQ>) -> [S; N] {
+        let mut full = self.x;
+        for (k, (q, v)) in q.iter().zip(v).enumerate() {
+            (full[k], full[NQ + k]) = (*q, *v);
+        }
+        full
+    }
+
     /// Pose and velocity of every body, including whole revolutions.
     pub(crate) fn unwrapped_pose(&self) -> ([S; NQ], [S; NQ]) {
         let (mut q, v) = self.pose();
@@ -128,51 +144,67 @@ impl<
 
     /// A number of the outputs, declared and observed, by its number, SI.
     pub fn output(&self, number: usize) -> Option<S> {
-        self.output_of(number, &self.pose(), &mut None)
+        self.output_of(number, &Common::new())
     }
 
     /// Gives `each` the declared outputs in their units.
     pub(crate) fn declared(&self, each: &mut impl FnMut(S)) {
-        let (pose, mut solution) = (self.pose(), None);
+        let common = &Common::new();
         let outputs = self.mechanism.model.lowered.outputs.iter().enumerate();
         for (k, output) in outputs.filter(|(_, output)| output.declared) {
-            let value = self.output_of(k, &pose, &mut solution).unwrap_or(S::lit(f64::NAN));
+            let value = self.output_of(k, common).unwrap_or(S::lit(f64::NAN));
             each(value / S::lit(output.factor));
         }
     }
 
-    /// An output by its number, with the pose, and with the solution as far as one has asked for it.
-    fn output_of(
+    /// An output by its number, with what the outputs before it have worked out.
+    pub(crate) fn output_of(
         &self,
         number: usize,
-        (q, v): &([S; NQ], [S; NQ]),
-        solution: &mut Option<([S; NQ], [S; NC])>,
+        common: &Common<Pose<S, NQ>, Held<S, NQ, L, H, R>, Solution<S, NQ, NC>, Vector<S>>,
     ) -> Option<S> {
+        let output = self.mechanism.model.lowered.outputs.get(number)?;
+        let first = number.checked_sub(output.component)?;
+        common.vector(first, || self.value_of(output.value, common))?.get(output.component).copied()
+    }
+
+    /// A scalar, or the components of a vector.
+    fn value_of(
+        &self,
+        number: usize,
+        common: &Common<Pose<S, NQ>, Held<S, NQ, L, H, R>, Solution<S, NQ, NC>, Vector<S>>,
+    ) -> Vector<S> {
         let model = self.mechanism.model;
-        let code = model.outputs.get(number)?;
-        let held = self.loaded();
-        let mut frame = Frame { held: Some(&held), x: &self.x, ..Frame::of_pose(self.time, q, v) };
+        let (code, of) = (model.values.get(number)?, model.lowered.values.get(number)?);
+        let (q, v) = common.pose.get_or_init(|| self.pose());
+        let held = common.loaded.get_or_init(|| self.loaded());
+        let mut frame = Frame { held: Some(held), x: &self.x, ..Frame::of_pose(self.time, q, v) };
         let beside;
-        if model.lowered.outputs.get(number)?.solves {
-            let (a, lambda) = solution.get_or_insert_with(|| self.solved());
+        if of.solves {
+            let (a, lambda) = common.solved.get_or_init(|| self.solved(common));
             beside = Beside { a, lambda, ..Beside::NONE };
             frame.beside = Some(&beside);
         }
-        Some(self.mechanism.run(code, &frame, []))
+        let mut value = [S::ZERO; 2];
+        let returned = self.mechanism.run(code, &frame, [&mut value]);
+        Some(if code.returns() { [returned, S::ZERO] } else { value })
     }
 
     /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
-    pub(crate) fn solved(&self) -> ([S; NQ], [S; NC]) {
+    pub(crate) fn solved(
+        &self,
+        common: &Common<Pose<S, NQ>, Held<S, NQ, L, H, R>, Solution<S, NQ, NC>, Vector<S>>,
+    ) -> Solution<S, NQ, NC> {
         let (mechanism, model) = (&self.mechanism, self.mechanism.model);
         let (mut a, mut lambda) = ([S::ZERO; NQ], [S::ZERO; NC]);
-        let held = &self.loaded();
+        let held = common.loaded.get_or_init(|| self.loaded());
         let tree = model.in_charts.first().filter(|_| model.lowered.form == Form::Tree);
         if let Some(reactions) = tree.and_then(|chart| chart.reactions.as_ref()) {
             let frame = Frame::of_state(self.time, held, &self.x);
             mechanism.run(reactions, &frame, [&mut a, &mut lambda]);
             return (a, lambda);
         }
-        let (x, mut dx) = (self.absolute(), [S::ZERO; N]);
+        let (x, mut dx) = (self.absolute_at(common.pose.get_or_init(|| self.pose())), [S::ZERO; N]);
         let frame = Frame::of_state(self.time, held, &x);
         let health = mechanism.run(&model.absolute.dynamics, &frame, [&mut dx, &mut lambda]);
         if !Health(health).is_good()

@@ -3,7 +3,7 @@
 use plm_compiler::lowered::End;
 use plm_runtime::charts::OfLoops;
 use plm_runtime::switched::{self, WithContact};
-use plm_runtime::{Cause, Enclosed, Fault, Moment, Real, Switched, Switches, contact, events};
+use plm_runtime::{Cause, Common, Enclosed, Fault, Moment, Real, Switched, Switches, contact, events};
 
 use super::State;
 use crate::capacity::{EVENTS, KINKS};
@@ -26,7 +26,7 @@ impl<
     fn watch_holding(&self, t: S, u: &Held<S, NQ, L, H, R>, x: &[S; N], all: &mut [S]) {
         if self.model.lowered.switches.read_solution {
             let state = State::new(*self, *u, t, *x);
-            let (a, lambda) = state.solved();
+            let (a, lambda) = state.solved(&Common::new());
             let full = state.absolute();
             let in_chart = matches!(u.of_loops, OfLoops::InChart { .. });
             let code = self.model.in_charts.first().filter(|_| in_chart).map(|chart| &chart.guards);

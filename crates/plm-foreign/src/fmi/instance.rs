@@ -178,6 +178,18 @@ impl<M: Exchanged> Instance<M> {
         }
     }
 
+    /// The outputs of these indices, none where there is no such output.
+    ///
+    /// # Errors
+    /// As [`Self::get`].
+    pub fn outputs(&mut self, indices: &[usize]) -> Result<Vec<Option<f64>>, Error> {
+        self.renew()?;
+        self.catch_up()?;
+        let mut values = Vec::with_capacity(indices.len());
+        M::observe(self.state()?, indices.iter().copied(), &mut |value| values.push(value));
+        Ok(values)
+    }
+
     /// The value of a variable that is a whole number: of the method, of what a row of contact does.
     ///
     /// # Errors

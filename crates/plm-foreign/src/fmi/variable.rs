@@ -37,6 +37,11 @@ pub enum Variable {
 type Count = (fn(usize) -> Variable, usize);
 
 impl Variable {
+    /// The index of an output.
+    pub(crate) fn output(&self) -> Option<usize> {
+        if let Self::Output(index) = self { Some(*index) } else { None }
+    }
+
     /// How many there are of each, in the order of value references; the time is 0.
     fn counts<M: Exchanged>(declared: &M) -> [Count; 10] {
         let states = <M as Rate>::X::LEN;

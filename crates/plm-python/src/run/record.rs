@@ -77,8 +77,16 @@ impl Record {
             }
         };
         push(state.time());
+        let outputs = asked.quantities.iter().filter(|(kind, _)| *kind == Kind::Output);
+        let mut values = Vec::new();
+        M::observe(state, outputs.map(|(_, index)| *index), &mut |value| values.push(value));
+        let mut values = values.into_iter();
         for (kind, index) in asked.quantities {
-            push(number::<M>(state, *kind, *index).unwrap_or(f64::NAN));
+            let value = match kind {
+                Kind::Output => values.next().flatten(),
+                _ => number::<M>(state, *kind, *index),
+            };
+            push(value.unwrap_or(f64::NAN));
         }
         if asked.poses {
             M::poses(state, &mut |pose| pose.components().into_iter().for_each(&mut push));

@@ -188,10 +188,11 @@ impl<M: Optimisable> Shot<'_, M> {
         let Flow { outputs, outputs_by, end, end_by, chart: names } = flow;
         let width = self.outputs.len();
         let mut see = |sample: usize, state: &<Lifted<M> as Mechanism>::State| {
-            for (k, output) in self.outputs.iter().enumerate() {
-                let number = <Lifted<M> as Described>::observed(state, *output);
-                put(sample * width + k, number, (outputs, outputs_by), (first, directions.len()));
-            }
+            let mut place = sample * width;
+            <Lifted<M> as Described>::observe(state, self.outputs.iter().copied(), &mut |number| {
+                put(place, number, (outputs, outputs_by), (first, directions.len()));
+                place += 1;
+            });
         };
         self.schedule.follow(&mut sim, &numbers, &mut see)?;
         for place in 0..end.len() {

@@ -27,6 +27,8 @@ pub(crate) use contact::ContactFunctions;
 pub use elimination::Elimination;
 pub(crate) use function::{Function, Place};
 pub(crate) use linearised::{Augmented, Linearised};
+#[cfg(feature = "lowered")]
+pub(crate) use outputs::Output as UserOutput;
 pub(crate) use program::{Program, reduce};
 #[cfg(feature = "lowered")]
 pub(crate) use reduced::textbook::{Condition, Row, Textbook, textbook};

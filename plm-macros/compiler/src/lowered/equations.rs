@@ -4,7 +4,7 @@ use super::routine::{Routine, Target};
 use super::{Parts, si};
 use crate::collect::{CollectVec, PushAll};
 use crate::facts::quantities::axes;
-use crate::formulate::Function;
+use crate::formulate::{Function, UserOutput};
 use crate::model;
 use crate::source::Origin;
 
@@ -69,10 +69,30 @@ pub struct Output {
     pub si: String,
     /// Is it declared, so that it stands in recordings? Else it is observed.
     pub declared: bool,
+    /// The number of its value among [`Lowered::values`](super::Lowered::values).
+    pub value: usize,
+    /// The number of the component of a vector; 0 of a scalar.
+    pub component: usize,
+}
+
+/// A scalar, or a vector of which several outputs are components.
+#[derive(Clone, Debug)]
+pub struct OutputValue {
     /// Must the motion be solved for it: does it read accelerations or multipliers?
     pub solves: bool,
-    /// Its value, SI, which the routine returns.
+    /// Its value, SI, which the routine returns; of a vector the array `value`.
     pub value: Routine,
+}
+
+impl OutputValue {
+    /// Is a result of its routine this component?
+    pub fn is_component(target: Target, component: usize) -> bool {
+        match target {
+            Target::Value => component == 0,
+            Target::Element(_, k) => component == k,
+            _ => false,
+        }
+    }
 }
 
 pub(super) fn rows(parts: &Parts) -> Vec<Row> {
@@ -118,23 +138,28 @@ impl AbsoluteEquations {
 
 /// The numbers of the outputs, a vector as two.
 pub(super) fn outputs(parts: &Parts) -> Vec<Output> {
-    let Parts { model, program, .. } = parts;
     let mut all = Vec::new();
-    for (output, laid_out) in model.outputs.iter().zip(&program.absolute.outputs.user) {
+    for (value, output) in parts.model.outputs.iter().enumerate() {
         let axes = axes(output.components.len());
-        all.push_all(axes.iter().enumerate().map(|(k, axis)| {
-            let mut value = parts.routine(&laid_out.function, Origin::State);
-            value.results = vec![(Target::Value, value.results[k].1)];
-            Output {
-                name: format!("{}{axis}", output.name.text),
-                unit: output.unit.text.clone(),
-                factor: output.unit.factor.to_f64(),
-                si: si(&output.unit),
-                declared: output.declared,
-                solves: laid_out.solves,
-                value,
-            }
+        all.push_all(axes.iter().enumerate().map(|(component, axis)| Output {
+            name: format!("{}{axis}", output.name.text),
+            unit: output.unit.text.clone(),
+            factor: output.unit.factor.to_f64(),
+            si: si(&output.unit),
+            declared: output.declared,
+            value,
+            component,
         }));
     }
     all
+}
+
+/// The scalars and vectors of the outputs.
+pub(super) fn values(parts: &Parts) -> Vec<OutputValue> {
+    let laid_out = parts.program.absolute.outputs.user.iter();
+    let value = |output: &UserOutput| OutputValue {
+        solves: output.solves,
+        value: parts.routine(&output.function, Origin::State),
+    };
+    laid_out.map(value).collect_vec()
 }

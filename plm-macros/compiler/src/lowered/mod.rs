@@ -31,7 +31,7 @@ pub use self::contact::{
     ReadByConditions, RowTerm, Sliding,
 };
 pub use self::description::{Body, Description, Frame, GroundPort, Hole, Part, Shape, Varying};
-pub use self::equations::{AbsoluteEquations, Output, Row};
+pub use self::equations::{AbsoluteEquations, Output, OutputValue, Row};
 pub use self::routine::{Operation, Register, Routine, Step, Target};
 pub use self::sets::{Set, Sets};
 pub use self::start::{Branch, Least, Limit, Parameter, Starts};
@@ -89,6 +89,8 @@ pub struct Lowered {
     pub discrete: Vec<usize>,
     /// Declared outputs, then what is observed.
     pub outputs: Vec<Output>,
+    /// The scalars and vectors that these are.
+    pub values: Vec<OutputValue>,
     /// Numbers by which the rate of Baumgarte's stabilisation is found, where it is ordered: the time constant, s.
     pub baumgarte: Option<Routine>,
     /// Is its energy accounted for: no motion is prescribed, and each body has a mass?
@@ -213,6 +215,7 @@ impl Lowered {
             sets: Sets::new(&parts),
             discrete: discrete.map(|(k, _)| k).collect_vec(),
             outputs: equations::outputs(&parts),
+            values: equations::values(&parts),
             baumgarte: match model.stabilisation {
                 Stabilisation::Projection => None,
                 Stabilisation::Baumgarte(tau) => Some(parts.values(&[tau])),

@@ -5,11 +5,11 @@
 //! chain    := operand { operator operand }      or < and < comparison < + - < * /
 //! operand  := ("-" | "+") operand | "not" chain | primary ["^" operand]
 //! primary  := (quantity | NAME index | NAME "(" exprs ")" | "(" expr ")") { "." NAME index }
-//! quantity := NUMBER [unit] | "(" expr "," expr ")" [unit]
+//! quantity := (NUMBER | "pi") [unit] | "(" expr "," expr ")" [unit]
 //! index    := { "[" expr "]" }
 //! ```
 //!
-//! A capture of a `macro_rules!` is a primary too, and takes a unit as a number does.
+//! A capture of a `macro_rules!` is a primary too, and takes a unit as a number does; so does `pi`.
 
 use plm_cas::Number;
 use proc_macro2::{Delimiter, TokenTree};
@@ -204,7 +204,9 @@ fn primary(input: Input) -> Result<Expr> {
         return Err(input.method_call(start, method));
     }
     if members.is_empty() {
-        return Ok(base);
+        let is_pi =
+            matches!(&base.kind, ExprKind::Name(name) if name.ident.text == "pi" && name.indices.is_empty());
+        return if is_pi { base.with_unit(input) } else { Ok(base) };
     }
     Ok(Expr { kind: ExprKind::Path(Box::new(base), members), span: input.span_from(start) })
 }

@@ -173,6 +173,17 @@ impl Input<'_> {
         self.eat(Token![;]);
     }
 
+    /// `start ball[0].vx: 1 m/s;` beside the body.
+    pub(super) fn start_beside_its_body(self, word: Span, body: Span) -> Reported {
+        let body = self.text_of(body);
+        self.error(Code::UnexpectedToken, word, "a start stands in its body, or in the use of a part").help(format!(
+            "write it in `body {body} {{ start …: …; }}`; of the first of a repetition: `if i < 1 then … else …`"
+        ));
+        self.advance_to(|input| input.peek(Token![;]));
+        self.eat(Token![;]);
+        Reported
+    }
+
     /// `gravity: 9.81 m/s^2; …` with no mechanism around it. Reads the items, for their own mistakes.
     pub(super) fn items_without_name(self) -> Reported {
         let message =

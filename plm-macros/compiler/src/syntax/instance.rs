@@ -43,6 +43,9 @@ impl Instance {
     pub(super) fn parse(input: Input) -> Result<Instance> {
         let kind = Ident::parse(input, "the name of a part")?;
         let name = IndexedName::parse(input, "a name")?;
+        if kind.text == "start" && input.peek(Token![.]) {
+            return Err(input.start_beside_its_body(kind.span, name.ident.span));
+        }
         let start = input.position();
         let arguments = Expr::arguments(input)
             .unwrap_or_else(|Reported| vec![Expr { kind: ExprKind::Unknown, span: input.span_from(start) }]);

@@ -204,12 +204,13 @@ impl<M: Pack<S = f64>, P: Pair, B: BorrowMut<Run<M, P>>> Seat<M, P, B> {
             Context::new((state.mechanism(), held), start, end, (stats, longest_step)).after(before);
         let guarded = Guarded { detector, history, limits: *limits };
         let mut unobserved = Unobserved;
-        let mut advance = Advance { method, context: &mut context, guarded, observer: &mut unobserved };
+        let (context, observer) = (&mut context, &mut unobserved);
+        let mut advance = Advance { method, context, guarded, observer, cut: None };
         let made = step(&mut advance);
         let goes_on = matches!(made, Made::Step | Made::Shortened) && !M::Rescue::holds(advance.context);
         let outcome =
             if goes_on { (advance.context.time >= end).then_some(Ok(())) } else { Some(advance.go_on(made)) };
-        let outcome = outcome.map(|outcome| outcome.map_err(|fault| at_a_jump(&mut context, fault)));
+        let outcome = outcome.map(|outcome| outcome.map_err(|fault| at_a_jump(context, fault)));
         let (time, held, x) = (context.time, context.held, context.x);
         state.set(time, &held, &x);
         outcome

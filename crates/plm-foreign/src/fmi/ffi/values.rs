@@ -83,7 +83,7 @@ unsafe fn variables<M: Exchanged>(
 fn each<M: Exchanged, T>(
     instance: &mut Instance<M>,
     wanted: &[(u32, Variable)],
-    of: impl Fn(&mut Instance<M>, Variable) -> Result<T, Error>,
+    mut of: impl FnMut(&mut Instance<M>, Variable) -> Result<T, Error>,
 ) -> Result<Vec<T>, Refused> {
     let value = |(reference, variable): &(u32, Variable)| {
         of(instance, *variable).map_err(|error| Refused::of(instance, *reference, error))
@@ -103,7 +103,19 @@ pub unsafe fn get<M: Exchanged>(
     let work = |Handle { instance, .. }: &mut Handle<M>| {
         // SAFETY: the caller's part.
         let wanted = unsafe { variables(instance, references)? };
-        let found = each(instance, &wanted, Instance::get)?;
+        // The first output works out all of them: they have the pose and the accelerations in common.
+        let indices = wanted.iter().filter_map(|(_, variable)| variable.output());
+        let (indices, mut outputs): (Vec<usize>, Option<_>) = (indices.collect(), None);
+        let found = each(instance, &wanted, |instance, variable| {
+            if variable.output().is_none() {
+                return instance.get(variable);
+            }
+            let all = match &mut outputs {
+                Some(all) => all,
+                none => none.insert(instance.outputs(&indices)?.into_iter()),
+            };
+            all.next().flatten().ok_or(Status::NoSuch.into())
+        })?;
         // SAFETY: the caller's part.
         unsafe { fill(values, &found)? };
         Ok::<_, Refused>(())

@@ -128,7 +128,7 @@ fn watch(emission: &Emission) -> TokenStream {
     let full = quote!(self.switching(t, u, &rt::charts::full(self, t, u, x), #solution g));
     let solved = emission
         .events_read_solution()
-        .then(|| quote!(let (a, lambda) = <State<S> as rt::Moment>::new(*self, *u, t, *x).solved_();));
+        .then(|| quote!(let (a, lambda) = <State<S> as rt::Moment>::new(*self, *u, t, *x).solved_(&Common::<S>::new());));
     let loaded = reads_contact(model).then(|| quote!(let u = &self.loaded_(t, u, x);));
     let here = switching(emission, &quote!(self), (&solution, &quote!({ #full })));
     let within = watch_within(emission);

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 
 use super::super::contract::contact;
 use super::super::lower::inline;
-use super::super::{Emission, docs, memory, number};
+use super::super::{Emission, Sizes, docs, memory, number};
 
 /// `Input`.
 pub(crate) fn inputs(emission: &Emission) -> TokenStream {
@@ -48,9 +48,13 @@ pub(super) fn of_contact(emission: &Emission) -> Option<TokenStream> {
 pub(crate) fn held(emission: &Emission) -> TokenStream {
     let (of_loops, of_contact) = (of_loops(emission), of_contact(emission));
     let [switches, turns] = [emission.model.switches.len(), emission.model.turns.len()].map_each(number);
+    let Sizes { nq, nc, .. } = &emission.sizes;
     quote! {
         /// Discrete state: constant during a step.
         type Held<S> = rt::Held<Input<S>, [S; #switches], [<S as Scalar>::Turns; #turns], #of_loops #of_contact>;
+
+        /// Pose, accelerations and a vector, which outputs have in common.
+        type Common<S> = rt::Common<([S; #nq], [S; #nq]), Held<S>, ([S; #nq], [S; #nc]), [S; 2]>;
     }
 }
 

@@ -132,7 +132,7 @@ fn poses(emission: &Emission) -> TokenStream {
     quote!(#bodies #by_number)
 }
 
-/// The line that gives an accessor of `State` two arrays, as far as it reads them.
+/// The line that gives a text two arrays, as far as it reads them.
 fn arrays(text: &str, [first, second]: [&str; 2], from: &str) -> String {
     match [first, second].map_each(|array| if reads(text, array) { array } else { "_" }) {
         ["_", "_"] => String::new(),
@@ -171,11 +171,17 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
         let count = number(output.components.len());
         quote!(let mut value = [S::lit(0.0); #count];)
     });
-    let body = body(emission, bindings, &laid_out.function);
+    let body = emission.text(with_common(emission, bindings, &laid_out.function));
     let result = many.then(|| quote!(value));
+    let among = among(name);
     quote! {
         #docs
         pub fn #name(&self) -> #kind {
+            self.#among(&Common::<S>::new())
+        }
+
+        #[inline]
+        fn #among(&self, common: &Common<S>) -> #kind {
             #value
             #body
             #result
@@ -183,15 +189,29 @@ fn user_output(emission: &Emission, bindings: &Bindings, index: usize) -> TokenS
     }
 }
 
+/// The accessor of an output among others, which have much in common with it.
+fn among(accessor: &Ident) -> Ident {
+    format_ident!("{accessor}_among_")
+}
+
+/// The statements of what is read by itself.
 fn body(emission: &Emission, bindings: &Bindings, function: &Function) -> TokenStream {
-    let reserved = ["lit", "by", "value", "a", "lambda", "q", "v", "contact"];
+    let text = with_common(emission, bindings, function);
+    let common = if text.contains("common.") { "let common = &Common::<S>::new();\n" } else { "" };
+    emission.text(common.to_owned() + &text)
+}
+
+/// The statements of a function, with the arrays of `common` that it reads.
+fn with_common(emission: &Emission, bindings: &Bindings, function: &Function) -> String {
+    let reserved = ["lit", "by", "value", "a", "lambda", "q", "v", "contact", "common"];
     let rerolled = emission.rerolled;
-    let around = Around { reserved: &reserved, by_reference: false, scalar: "S", direct: None, rerolled };
+    let around = Around { reserved: &reserved, by_reference: true, scalar: "S", direct: None, rerolled };
     let (text, _) = statements(function, bindings, &around);
-    let solved = arrays(&text, ["a", "lambda"], "self.solved_()");
-    let pose = arrays(&text, ["q", "v"], "self.pose_()");
-    let contact = if reads(&text, "contact") { "let contact = self.loaded_().contact.lambda;\n" } else { "" };
-    emission.text(contact.to_owned() + &solved + &pose + &text)
+    let solved = arrays(&text, ["a", "lambda"], "common.solved.get_or_init(|| self.solved_(common))");
+    let pose = arrays(&text, ["q", "v"], "common.pose.get_or_init(|| self.pose_())");
+    let loaded = "let contact = &common.loaded.get_or_init(|| self.loaded_()).contact.lambda;\n";
+    let contact = if reads(&text, "contact") { loaded } else { "" };
+    contact.to_owned() + &solved + &pose + &text
 }
 
 /// The turns that tell the mirror images of loops apart.
@@ -225,8 +245,19 @@ fn branches(emission: &Emission, bindings: &Bindings) -> TokenStream {
 
 /// The outputs as a row of a table, with names and units.
 fn table(emission: &Emission) -> TokenStream {
-    let (names, values): (Vec<String>, Vec<String>) =
-        columns_of(emission, "self", Columns::Declared).into_iter().unzip();
+    let declared = |(output, _): &(&Output, &Ident)| output.declared;
+    let outputs = || emission.model.outputs.iter().zip(&emission.fields.outputs).filter(declared);
+    let (mut names, mut values, mut read) = (Vec::new(), Vec::new(), Vec::new());
+    for (output, accessor) in outputs() {
+        let [among, own] = [among(accessor).to_string(), format!("own_{}", read.len())];
+        read.push(format!("let {own} = self.{among}(common);\n"));
+        for (name, value) in columns_of(output, &output.unit, |k| format!("{own}{k}")) {
+            names.push(name);
+            values.push(value);
+        }
+    }
+    let common = if read.is_empty() { "" } else { "let common = &Common::<S>::new();\n" };
+    let read = emission.text(common.to_owned() + &read.concat());
     let count = number(names.len());
     let (names, values) = (emission.list(names), emission.list(values));
     quote! {
@@ -235,6 +266,7 @@ fn table(emission: &Emission) -> TokenStream {
 
         /// The declared outputs, in the units of [`State::OUTPUTS`].
         pub fn outputs(&self) -> [S; #count] {
+            #read
             [#values]
         }
     }
@@ -243,8 +275,19 @@ fn table(emission: &Emission) -> TokenStream {
 /// All that can be read by name, and the reading of it by number: a match in blocks, as everything that is long.
 fn observed(emission: &Emission) -> TokenStream {
     const BLOCK: usize = 200;
-    let (names, values): (Vec<String>, Vec<String>) =
-        columns_of(emission, "state", Columns::All).into_iter().unzip();
+    let (mut names, mut values) = (Vec::new(), Vec::new());
+    for (output, accessor) in emission.model.outputs.iter().zip(&emission.fields.outputs) {
+        let (first, among) = (names.len(), among(accessor));
+        let read = |k: &str| match k {
+            "" => format!("state.{among}(common)"),
+            k => format!("common.vector({first}, || state.{among}(common)){k}"),
+        };
+        let si = DisplayUnit::si(output.unit.dimension);
+        for (name, value) in columns_of(output, &si, read) {
+            names.push(name);
+            values.push(value);
+        }
+    }
     let (count, names) = (number(names.len()), emission.lines(names));
     let blocks: Vec<Ident> =
         (0..values.len().div_ceil(BLOCK)).map(|block| format_ident!("block_{block}")).collect_vec();
@@ -262,15 +305,16 @@ fn observed(emission: &Emission) -> TokenStream {
             rt::Observed::find(&Self::OBSERVED, names)
         }
 
-        /// The values of these quantities, SI; each is worked out when it is asked for.
+        /// The values of these quantities, SI; each is worked out when it is asked for, and what they have in common once.
         pub fn observed<const K: usize>(&self, quantities: [rt::Observed; K]) -> [S; K] {
-            quantities.map(|quantity| self.column_(quantity.column()))
+            let common = &Common::<S>::new();
+            quantities.map(|quantity| self.column_(quantity.column(), common))
         }
 
         /// The value of a quantity by its number.
-        fn column_(&self, column: usize) -> S {
+        fn column_(&self, column: usize, common: &Common<S>) -> S {
             #(
-                fn #blocks<S: Real>(state: &State<S>, column: usize) -> S {
+                fn #blocks<S: Real>(state: &State<S>, column: usize, common: &Common<S>) -> S {
                     match column {
                         #contents
                         _ => S::lit(f64::NAN),
@@ -278,41 +322,23 @@ fn observed(emission: &Emission) -> TokenStream {
                 }
             )*
             match column / #block {
-                #(#numbers => #blocks(self, column),)*
+                #(#numbers => #blocks(self, column, common),)*
                 _ => S::lit(f64::NAN),
             }
         }
     }
 }
 
-/// Which outputs make columns, and in which units.
-#[derive(Clone, Copy, PartialEq)]
-enum Columns {
-    /// Those that are declared, in the units that they ask for.
-    Declared,
-    /// Those and what is observed, in SI.
-    All,
-}
-
-/// Name with unit, and how `state` reads it, of each number of the outputs that are asked for.
-fn columns_of(emission: &Emission, state: &str, wanted: Columns) -> Vec<(String, String)> {
-    let mut columns = Vec::new();
-    let outputs = emission.model.outputs.iter().zip(&emission.fields.outputs);
-    for (output, accessor) in outputs.filter(|(output, _)| wanted == Columns::All || output.declared) {
-        let shown = wanted == Columns::Declared;
-        let unit = if shown { output.unit.clone() } else { DisplayUnit::si(output.unit.dimension) };
-        let scale = unit.factor.to_f64();
-        let read = |value: String| if scale == 1.0 { value } else { format!("{value} / S::lit({scale:?})") };
-        if output.components.len() == 1 {
-            columns.push((column(&output.name.text, &unit.text), read(format!("{state}.{accessor}()"))));
-        } else {
-            for (axis, k) in ["x", "y"].into_iter().zip(0..) {
-                let name = column(&format!("{}.{axis}", output.name.text), &unit.text);
-                columns.push((name, read(format!("{state}.{accessor}()[{k}]"))));
-            }
-        }
+/// Name with unit, and how it is read, of each number of an output in a unit; `read` gives the text for "", or for "[0]" and "[1]".
+fn columns_of(output: &Output, unit: &DisplayUnit, read: impl Fn(&str) -> String) -> Vec<(String, String)> {
+    let scale = unit.factor.to_f64();
+    let read = |k: &str| if scale == 1.0 { read(k) } else { format!("{} / S::lit({scale:?})", read(k)) };
+    let name = &output.name.text;
+    if output.components.len() == 1 {
+        return vec![(column(name, &unit.text), read(""))];
     }
-    columns
+    let axes = [("x", "[0]"), ("y", "[1]")].into_iter();
+    axes.map(|(axis, k)| (column(&format!("{name}.{axis}"), &unit.text), read(k))).collect_vec()
 }
 
 fn column(name: &str, unit: &str) -> String {

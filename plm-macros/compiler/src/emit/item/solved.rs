@@ -14,7 +14,11 @@ pub(crate) fn solved(emission: &Emission) -> TokenStream {
 
 /// The discrete state, with the forces of contact where there are some.
 fn loaded(emission: &Emission) -> TokenStream {
-    if contact::are_there(emission) { quote!(&self.loaded_()) } else { quote!(&self.held) }
+    if contact::are_there(emission) {
+        quote!(common.loaded.get_or_init(|| self.loaded_()))
+    } else {
+        quote!(&self.held)
+    }
 }
 
 /// By the backward pass of a tree, whose reactions nothing leaves undetermined.
@@ -25,7 +29,7 @@ fn of_tree(emission: &Emission) -> TokenStream {
         quote! {
             /// Accelerations and multipliers.
             #[inline]
-            fn solved_(&self) -> ([S; #nq], [S; #nc]) {
+            fn solved_(&self, common: &Common<S>) -> ([S; #nq], [S; #nc]) {
                 let (mut a, mut lambda) = ([S::lit(0.0); #nq], [S::lit(0.0); #nc]);
                 self.mechanism.reactions(self.time, #held, &self.x, &mut a, &mut lambda);
                 (a, lambda)
@@ -47,6 +51,7 @@ fn of_tree(emission: &Emission) -> TokenStream {
 fn of_absolute(emission: &Emission) -> TokenStream {
     let Emission { name, sizes: Sizes { nq, nc, full, .. }, .. } = emission;
     let held = loaded(emission);
+    let common = contact::are_there(emission).then(|| quote!(let common = &Common::<S>::new();));
     // Forces that read the unknowns are known for independent constraints alone.
     let refusal = feeds_back(emission.model)
         .then(|| quote!(return Err(Fault::new(t.to_f64(), rt::Cause::Singular { rows: #nc }));));
@@ -68,9 +73,9 @@ fn of_absolute(emission: &Emission) -> TokenStream {
 
         impl<S: Real> State<S> {
             /// Accelerations and multipliers; multipliers that redundancy leaves undetermined have their minimum norm.
-            fn solved_(&self) -> ([S; #nq], [S; #nc]) {
+            fn solved_(&self, common: &Common<S>) -> ([S; #nq], [S; #nc]) {
                 let (mut dx, mut lambda) = ([S::lit(0.0); #full], [S::lit(0.0); #nc]);
-                let (u, x) = (#held, self.absolute_());
+                let (u, x) = (#held, self.joined_(common.pose.get_or_init(|| self.pose_())));
                 let health = self.mechanism.dynamics(self.time, u, &x, &mut dx, &mut lambda);
                 if !rt::Health(health).is_good() {
                     if let Ok(solution) = self.mechanism.accelerate(self.time, u, &x) {
@@ -83,6 +88,7 @@ fn of_absolute(emission: &Emission) -> TokenStream {
 
             /// Reactions that redundancy leaves undetermined, by constraint row; they are given with minimum norm.
             pub fn undetermined(&self) -> [bool; #nc] {
+                #common
                 match self.mechanism.accelerate(self.time, #held, &self.absolute_()) {
                     Ok(solution) => solution.undetermined,
                     Err(_) => [true; #nc],

@@ -107,9 +107,13 @@ pub(crate) fn pose(emission: &Emission) -> TokenStream {
         impl<S: Real> State<S> {
             /// The state in absolute coordinates.
             fn absolute_(&self) -> [S; #full] {
-                let (q, v) = self.pose_();
+                self.joined_(&self.pose_())
+            }
+
+            /// The state in absolute coordinates, of pose and velocity.
+            fn joined_(&self, (q, v): &([S; #nq], [S; #nq])) -> [S; #full] {
                 let mut x = [S::lit(0.0); #full];
-                absolute::join(&q, &v, &mut x);
+                absolute::join(q, v, &mut x);
                 #first_order
                 x
             }

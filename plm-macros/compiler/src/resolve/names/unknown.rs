@@ -113,7 +113,8 @@ pub(crate) fn function_elsewhere(name: &str, arguments: &[ast::Expr]) -> Option<
             (Some(base), Some(exponent)) => format!("write `{base}^{exponent}`"),
             _ => "a power is written `x^2`".to_string(),
         },
-        ("atan" | "arctan", _) => "write `atan2(y, x)`".to_string(),
+        ("arctan", [_]) => "write `atan(x)`".to_string(),
+        ("arctan" | "arctan2", _) => "write `atan2(y, x)`".to_string(),
         ("der" | "diff" | "ddt", _) => "the derivative with time is `rate(x)`".to_string(),
         ("deg" | "degrees" | "radians" | "rad", _) => "an angle has a unit: `30 deg`".to_string(),
         ("rem" | "modulo" | "fmod" | "remainder", [x, period]) => match (text_of(x), text_of(period)) {

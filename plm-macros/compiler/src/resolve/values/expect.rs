@@ -9,7 +9,7 @@ use crate::resolve::Resolver;
 use crate::resolve::names::{ScopeId, Thunk};
 use crate::resolve::values::{Additive, Eval, Failed, Form, Nature, Quantity, Reads, Scalar, Value, Vector};
 use crate::span::Span;
-use crate::syntax::ast::{self, ExprKind};
+use crate::syntax::ast::{self, ExprKind, ItemKind};
 use crate::units::Dimension;
 
 /// Kind of value that a place expects.
@@ -270,6 +270,7 @@ impl<'a> Resolver<'a> {
                     None => format!("{text}/s"),
                 });
                 let help = replacement.as_ref().map(|text| format!("write `{text}`"));
+                let help = help.or_else(|| self.meant_parameter(expr, found.dimension));
                 let found = match text {
                     Some(text) => format!("{text}, {}", found.dimension.name()),
                     None => found.dimension.describe(),
@@ -303,6 +304,26 @@ impl<'a> Resolver<'a> {
             (None, _) => {}
         }
         Err(Failed)
+    }
+}
+
+impl Resolver<'_> {
+    /// The parameter that may be meant where a part is given this value: its name ends in the one that was set, and it has the dimension.
+    fn meant_parameter(&self, expr: &ast::Expr, found: Dimension) -> Option<String> {
+        let set = |field: &&ast::Field| field.value.span == expr.span && field.path.len() == 1;
+        self.names.instances.iter().find_map(|instance| {
+            let ending = format!("_{}", instance.ast.fields.iter().find(set)?.path.first()?.ident.text);
+            let is_meant = |item: &ast::Item| match &item.kind {
+                ItemKind::Param(value) => {
+                    let dimension = value.unit.as_ref().map(|unit| unit.dimension);
+                    let name = &value.name.ident.text;
+                    (dimension == Some(found) && name.ends_with(&ending)).then(|| name.clone())
+                }
+                _ => None,
+            };
+            let name = instance.definition.items.iter().find_map(is_meant)?;
+            Some(format!("`{name}` is {}", found.describe()))
+        })
     }
 }
 

@@ -127,6 +127,7 @@ pub(crate) const FUNCTIONS: &[Function] = &[
     of_one("tan", ANGLE, Gives::Number, None, Expr::tan),
     of_one("asin", NUMBER, Gives::Angle, Some(domain(|x| x.abs() <= 1.0, "-1 to 1")), Expr::asin),
     of_one("acos", NUMBER, Gives::Angle, Some(domain(|x| x.abs() <= 1.0, "-1 to 1")), Expr::acos),
+    of_one("atan", NUMBER, Gives::Angle, None, |x| x.atan2(Expr::ONE)),
     function("atan2", 2..=2, Meaning::Atan2),
     function("table", 3..=usize::MAX, Meaning::Table(Interpolation::Lines)),
     function("smooth_table", 3..=usize::MAX, Meaning::Table(Interpolation::Spline)),
