@@ -36,6 +36,36 @@ impl Observed {
     }
 }
 
+/// A value that is worked out by the first who asks for it. Unlike `OnceCell::get_or_init` it cannot panic.
+#[derive(Debug)]
+pub struct Once<T>(OnceCell<T>);
+
+impl<T> Once<T> {
+    /// Not known yet.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(OnceCell::new())
+    }
+
+    /// The value; `make` works it out if it is not known yet.
+    #[inline]
+    pub fn get_or_init(&self, make: impl Fn() -> T) -> &T {
+        loop {
+            match self.0.get() {
+                Some(value) => return value,
+                // It is known in the next turn.
+                None => drop(self.0.set(make())),
+            }
+        }
+    }
+}
+
+impl<T> Default for Once<T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// Pose, accelerations and a vector, which outputs of a moment have in common: each is worked out by the first output that reads it.
 ///
 /// `P` is pose and velocity of all bodies, `U` the discrete state with the forces of contact, `A` accelerations and multipliers, and `V` a
@@ -43,11 +73,11 @@ impl Observed {
 #[derive(Debug)]
 pub struct Common<P, U, A, V: Copy> {
     /// Pose and velocity of all bodies.
-    pub pose: OnceCell<P>,
+    pub pose: Once<P>,
     /// The discrete state with the forces of contact.
-    pub loaded: OnceCell<U>,
+    pub loaded: Once<U>,
     /// Accelerations and multipliers.
-    pub solved: OnceCell<A>,
+    pub solved: Once<A>,
     /// The vector that was read last, and the number of its first component.
     vector: Cell<Option<(usize, V)>>,
 }
@@ -56,12 +86,7 @@ impl<P, U, A, V: Copy> Common<P, U, A, V> {
     /// Nothing is known yet.
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            pose: OnceCell::new(),
-            loaded: OnceCell::new(),
-            solved: OnceCell::new(),
-            vector: Cell::new(None),
-        }
+        Self { pose: Once::new(), loaded: Once::new(), solved: Once::new(), vector: Cell::new(None) }
     }
 
     /// The vector whose first component has this number: the one that was read last, or a new one.

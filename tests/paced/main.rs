@@ -150,7 +150,7 @@ fn lanes_near_flat_poses_go_alone() {
         mechanism
     });
     let before = |_, lane, sim: &mut Run<parallelogram_in_loops::FourBars, DormandPrince853>| {
-        sim.stop_at_change_points(lane % 2 == 0)
+        sim.stop_at_change_points(lane % 2 == 0);
     };
     let runs = agree(runs::<_, DormandPrince853>(mechanisms, 1e-8), &[1.0, 0.5, 0.5], before);
     let ended = runs.each_ref().map(|run| run.state().time() < 1.99);

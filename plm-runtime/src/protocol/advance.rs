@@ -4,6 +4,7 @@ use super::cut::Cut;
 use super::judge::{Limits, Proposal, Rules, Verdict, judge};
 use super::near_singular::{Rescue, is_singular, true_cause};
 use super::observer::{Observer, Trigger};
+use super::parts::Parts;
 use crate::events::{self, Beginning, Detector, Event, History};
 use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
@@ -14,7 +15,7 @@ use crate::system::{System, Updated};
 /// Most consecutive failures of a run, even if the near-singular method could continue each time.
 const MOST_FAILURES: u32 = 100;
 /// A refused step is shortened only if it is longer than so many units in the last place of the time.
-const SHORTEST_ULPS: f64 = 64.0;
+pub(super) const SHORTEST_ULPS: f64 = 64.0;
 
 /// Event detector, history and limits of a run.
 pub(crate) struct Guarded<'r, M: System> {
@@ -39,14 +40,6 @@ pub(crate) enum Made<S> {
     Failed(Fault),
     /// The run ends.
     Ended(Fault),
-}
-
-/// A step that will be made in parts.
-pub(crate) struct Parts<S> {
-    /// Its end, s.
-    until: S,
-    /// Least number of parts.
-    count: u32,
 }
 
 /// A run to the end of its interval.
@@ -262,7 +255,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     }
 
     /// Makes the modes of the conditions agree with the state.
-    fn begin(&mut self) -> Result<(), Fault> {
+    pub(super) fn begin(&mut self) -> Result<(), Fault> {
         self.guarded.detector.begin(self.method, self.context)
     }
 
@@ -294,56 +287,15 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     }
 
     /// This run with another method and other limits.
-    fn with<'s, J>(&'s mut self, method: &'s mut J, limits: Limits<M::S>) -> Advance<'s, 'c, M, J, O> {
+    pub(super) fn with<'s, J>(
+        &'s mut self,
+        method: &'s mut J,
+        limits: Limits<M::S>,
+    ) -> Advance<'s, 'c, M, J, O> {
         let Guarded { detector, history, .. } = &mut self.guarded;
         let guarded = Guarded { detector: &mut **detector, history: &mut **history, limits };
         let (context, cut) = (&mut *self.context, self.cut);
         Advance { method, context, guarded, observer: &mut *self.observer, cut }
-    }
-
-    /// Makes a step that is too long for a sharp turn near a flat pose, in shorter steps of the same formula.
-    #[cold]
-    fn split(&mut self, parts: Parts<M::S>) -> Made<M::S> {
-        let whole = core::mem::replace(&mut self.context.end, parts.until);
-        let mut made = Made::Split(parts);
-        while let Made::Split(Parts { until, count }) = made {
-            let longest = (until - self.context.time) / M::S::lit(f64::from(count));
-            let moves = longest > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * until.abs();
-            made = match self.method.shorter(longest).filter(|_| moves) {
-                Some(mut finer) => self.with(&mut finer, self.guarded.limits).follow(),
-                None if M::Rescue::take(self.context) => Made::NearSingular,
-                None => Made::Failed(self.context.fault(Cause::NotRegular)),
-            };
-        }
-        self.context.end = whole;
-        self.method.restart();
-        if let (Made::Step, true) = (&made, self.context.time < whole)
-            && let Err(fault) = self.method.begin(self.context)
-        {
-            return Made::Failed(fault);
-        }
-        made
-    }
-
-    /// Makes steps to the end of the interval, until one is refused or only the near-singular method can continue.
-    fn follow(&mut self) -> Made<M::S> {
-        if let Err(fault) = self.begin().and_then(|()| self.method.begin(self.context)) {
-            return Made::Failed(fault);
-        }
-        while self.context.time < self.context.end {
-            if M::Rescue::holds(self.context) {
-                return Made::NearSingular;
-            }
-            match self.step() {
-                Made::Step | Made::Shortened => {}
-                Made::Cut(cut) => match self.make_cut(&cut) {
-                    Made::Step => {}
-                    refused => return refused,
-                },
-                refused => return refused,
-            }
-        }
-        Made::Step
     }
 
     /// Makes steps by the near-singular method, until the mechanism's own coordinates are regular again. After a fault it does so only

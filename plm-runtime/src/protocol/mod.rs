@@ -22,6 +22,7 @@ mod energy;
 mod judge;
 mod near_singular;
 mod observer;
+mod parts;
 
 pub(crate) use self::advance::{Advance, Guarded, Made};
 pub(crate) use self::judge::{Limits, Proposal, Rules, Verdict, judge};

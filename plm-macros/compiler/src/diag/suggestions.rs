@@ -64,7 +64,7 @@ pub fn help_similar(diagnostic: &mut Diagnostic, name: &str, what: &str, all: &s
 
 /// Names in a row; a long list is cut.
 pub fn list(names: &[&str]) -> String {
-    const SHOWN: usize = 40;
+    const SHOWN: usize = 48;
     let mut text = names.iter().take(SHOWN).copied().collect_vec().join(", ");
     if names.len() > SHOWN {
         // Writing to a string does not fail.

@@ -1,0 +1,64 @@
+//! Steps of a fixed formula that are made in parts, where one is too long for a sharp turn.
+
+use super::advance::{Advance, Made, SHORTEST_ULPS};
+use super::near_singular::Rescue;
+use super::observer::Observer;
+use crate::fault::Cause;
+use crate::mechanism::Mechanism;
+use crate::method::Method;
+use crate::scalar::{Real, Scalar};
+
+/// A step that will be made in parts.
+pub(crate) struct Parts<S> {
+    /// Its end, s.
+    pub(super) until: S,
+    /// Least number of parts.
+    pub(super) count: u32,
+}
+
+impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
+    /// Makes a step that is too long for a sharp turn near a flat pose, in shorter steps of the same formula.
+    #[cold]
+    pub(super) fn split(&mut self, parts: Parts<M::S>) -> Made<M::S> {
+        let whole = core::mem::replace(&mut self.context.end, parts.until);
+        let mut made = Made::Split(parts);
+        while let Made::Split(Parts { until, count }) = made {
+            let longest = (until - self.context.time) / M::S::lit(f64::from(count));
+            let moves = longest > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * until.abs();
+            made = match self.method.shorter(longest).filter(|_| moves) {
+                Some(mut finer) => self.with(&mut finer, self.guarded.limits).follow(),
+                None if M::Rescue::take(self.context) => Made::NearSingular,
+                None => Made::Failed(self.context.fault(Cause::NotRegular)),
+            };
+        }
+        self.context.end = whole;
+        self.method.restart();
+        if let (Made::Step, true) = (&made, self.context.time < whole)
+            && let Err(fault) = self.method.begin(self.context)
+        {
+            return Made::Failed(fault);
+        }
+        made
+    }
+
+    /// Makes steps to the end of the interval, until one is refused or only the near-singular method can continue.
+    fn follow(&mut self) -> Made<M::S> {
+        if let Err(fault) = self.begin().and_then(|()| self.method.begin(self.context)) {
+            return Made::Failed(fault);
+        }
+        while self.context.time < self.context.end {
+            if M::Rescue::holds(self.context) {
+                return Made::NearSingular;
+            }
+            match self.step() {
+                Made::Step | Made::Shortened => {}
+                Made::Cut(cut) => match self.make_cut(&cut) {
+                    Made::Step => {}
+                    refused => return refused,
+                },
+                refused => return refused,
+            }
+        }
+        Made::Step
+    }
+}
