@@ -60,7 +60,6 @@ def rounds_of(rows):
         "solver::look": (rows, rows),
         "solver::solve": (4*rows + 2, rows, rows),
         "solver::swept": (32, rows, rows),
-        "impacts::impacts": (rows,),
         "multipliers::equation": (rows, rows),
         # Five guards, which are gone through once more than there are.
         "violated::switch_violated": (6, 5),

@@ -115,10 +115,14 @@ fn is_as_fast<S: Real, const N: usize>(rows: &Rows<S, N>, fastest: usize, other:
 /// Problem of the rates: accelerations stand for the rates after the impact, forces for impulses.
 fn without_own_limits<S: Real, const N: usize>(rows: &Rows<S, N>) -> Rows<S, N> {
     let mut problem = Rows { free: rows.rate, adhesion: rows.kinetic, ..*rows };
-    for friction in problem.kinetic.iter_mut().chain(&mut problem.adhesion) {
-        (friction.lower.own, friction.upper.own) = (S::ZERO, S::ZERO);
+    for i in 0..N {
+        for friction in [&mut problem.kinetic[i], &mut problem.adhesion[i]] {
+            (friction.lower.own, friction.upper.own) = (S::ZERO, S::ZERO);
+        }
+        for reaction in &mut problem.reaction[i] {
+            reaction.own = S::ZERO;
+        }
     }
-    problem.reaction.as_flattened_mut().iter_mut().for_each(|reaction| reaction.own = S::ZERO);
     problem
 }
 

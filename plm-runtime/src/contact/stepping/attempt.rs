@@ -3,20 +3,21 @@
 //! The step is made without impacts at first. If gaps close in it with a rate, it is split where the first of them closes: its first
 //! part is the motion without these rows, a parabola of each gap; then the impact at the pose of that time; then a step for the rest of the
 //! time. So an impact takes place at its own time to the order of the step, and the step is split once: gaps that close in the rest take
-//! part in the impact. It takes one evaluation more for the impact, and those of a step for the rest.
+//! part in the impact.
 
 use super::impacts::{Blow, impacts, is_fast};
-use super::problem::{Problem, first_closing};
+use super::problem::{Problem, away, first_closing, lead_back};
 use super::solver::Solved;
-use super::{Motion, Stride, arrive, drift, predicted, with_forces, with_responses};
-use crate::contact::Contacts;
+use super::{Motion, Solution, Stride, arrive, drift, modes, predicted, with_forces, with_responses};
 use crate::contact::booked::Struck;
 use crate::contact::bounds::look_at_signs;
 use crate::contact::modes::{Mode, Modes};
 use crate::contact::rows::Law;
+use crate::contact::{Contacts, Modal};
 use crate::fault::Fault;
 use crate::scalar::{Real, Scalar};
 use crate::system::Rate;
+use crate::vector::Vector;
 
 /// Constants of the rows over a step.
 #[derive(Clone, Copy)]
@@ -27,23 +28,48 @@ pub(super) struct Setting<S, const N: usize> {
     pub(super) before: Modes<S, N>,
 }
 
+impl<S: Real, const N: usize> Setting<S, N> {
+    /// Of a step from a discrete state.
+    #[inline]
+    pub(super) fn of<M: Contacts<N> + Rate<S = S>>(system: &M, u: &M::U) -> Self {
+        Self {
+            laws: core::array::from_fn(|row| system.law(row)),
+            exists: core::array::from_fn(|row| system.exists(u, row)),
+            before: *u.modes(),
+        }
+    }
+}
+
 /// A step at its intermediate place, with the forces of the rows.
 pub(super) struct Attempt<S: Scalar, X, const N: usize> {
     /// The last evaluation.
     pub(super) motion: Motion<S, X, N>,
-    pub(super) problem: Problem<S, N>,
-    pub(super) solved: Solved<S, N>,
+    problem: Problem<S, N>,
+    solved: Solved<S, N>,
     /// The state of the last evaluation, if it is not the intermediate place.
-    pub(super) place: Option<X>,
-    /// The largest residual of impacts, as a rate.
-    pub(super) residual: S,
-    pub(super) rounds: u32,
-    pub(super) evaluations: u32,
+    place: Option<X>,
+    rounds: u32,
     /// Free accelerations of the last evaluation: those of `motion` are over the step.
     free: [S; N],
 }
 
-impl<S: Real, X: crate::vector::Vector<S>, const N: usize> Attempt<S, X, N> {
+/// Modes and diagnostics at the end of a step.
+pub(super) struct Landed<S, const N: usize> {
+    pub(super) modes: Modes<S, N>,
+    pub(super) solution: Solution<S>,
+}
+
+/// A step that was split at an impact.
+pub(super) struct Split<S, X, const N: usize> {
+    /// The state at its end.
+    pub(super) x: X,
+    pub(super) landed: Landed<S, N>,
+    /// The time of the impact, s.
+    pub(super) time: S,
+    pub(super) struck: Struck<S, N>,
+}
+
+impl<S: Real, X: Vector<S>, const N: usize> Attempt<S, X, N> {
     /// Solves the step with the intermediate place `x`, at which the first evaluation is.
     #[allow(clippy::inline_always, reason = "as the step, of which it is the larger part")]
     #[inline(always)]
@@ -73,8 +99,7 @@ impl<S: Real, X: crate::vector::Vector<S>, const N: usize> Attempt<S, X, N> {
             rounds += solved.rounds;
             place = Some(next);
         }
-        let evaluations = EVALUATIONS as u32;
-        Ok(Self { motion, problem, solved, place, residual: S::ZERO, rounds, evaluations, free })
+        Ok(Self { motion, problem, solved, place, rounds, free })
     }
 
     /// Rows that strike: the step closes their gap, and they come faster than accelerations make them in a step of `h`.
@@ -88,84 +113,82 @@ impl<S: Real, X: crate::vector::Vector<S>, const N: usize> Attempt<S, X, N> {
         })
     }
 
-    /// Splits the step where the first of the rows closes that strike. `stride` becomes the rest of it, `x` its intermediate place.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn split<M: Contacts<N> + Rate<S = S, X = X>, const EVALUATIONS: usize>(
-        &mut self,
-        system: &M,
-        stride: &mut Stride<S>,
-        (u, x): (&M::U, &mut X),
-        (setting, strikes): (&Setting<S, N>, &[bool; N]),
-    ) -> Result<Struck<S, N>, Fault> {
-        let ([ahead, _], whole) = (stride.parts(), *stride);
-        self.solve_without::<M, EVALUATIONS>(system, stride, (u, x), (setting, strikes))?;
-        let until = self.first_closing(stride, strikes);
-        let first = Stride { h: until, ..whole };
-        let [own_ahead, own_rest] = first.parts();
-        with_forces(
-            system,
-            (whole.t + ahead, u, self.place.as_ref().unwrap_or(x)),
-            &mut self.motion,
-            &self.solved.lambda,
-        );
-        drift::<M>(own_ahead - ahead, x);
-        arrive::<M, N>((until, own_rest), &self.motion, (&self.solved.lambda, None), x);
-
-        let rest = Stride { t: whole.t + until, h: whole.h - until, theta: whole.theta };
-        let mut motion = system.motion_at(rest.t, u, x);
-        look_at_signs(system, rest.t, u, &motion.rows)?;
-        let mut blow = Blow { residual: self.residual, rounds: self.rounds };
-        let struck = impacts(system, (&rest, whole.h), (setting, u), (&mut motion, x), &mut blow)?;
-        let health = self.motion.health.worst(motion.health);
-
-        let [ahead, _] = rest.parts();
-        drift::<M>(ahead, x);
-        let motion = system.motion_at(rest.t + ahead, u, x);
-        let evaluations = self.evaluations + 1;
-        *self = Self::of::<M, EVALUATIONS>(system, &rest, (u, x), setting, motion)?;
-        self.motion.health = self.motion.health.worst(health);
-        self.residual = self.residual.max(blow.residual);
-        (self.rounds, self.evaluations) = (self.rounds + blow.rounds, self.evaluations + evaluations);
-        *stride = rest;
-        Ok(struck)
-    }
-
-    /// Becomes the step without rows that strike.
-    fn solve_without<M: Contacts<N> + Rate<S = S, X = X>, const EVALUATIONS: usize>(
-        &mut self,
+    /// Moves `x`, the intermediate place, to the end of the step.
+    #[allow(clippy::inline_always, reason = "as the step, of which it is the end")]
+    #[inline(always)]
+    pub(super) fn land<M: Contacts<N> + Rate<S = S, X = X>>(
+        mut self,
         system: &M,
         stride: &Stride<S>,
-        (u, x): (&M::U, &X),
-        (setting, strikes): (&Setting<S, N>, &[bool; N]),
-    ) -> Result<(), Fault> {
-        let exists = core::array::from_fn(|i| setting.exists[i] && !strikes[i]);
-        let setting = Setting { exists, ..*setting };
-        if EVALUATIONS > 1 {
-            // The velocity of the further evaluations was that with the forces of these rows.
-            let [ahead, _] = stride.parts();
-            let motion = system.motion_at(stride.t + ahead, u, x);
-            let (rounds, evaluations) = (self.rounds, self.evaluations);
-            *self = Self::of::<M, EVALUATIONS>(system, stride, (u, x), &setting, motion)?;
-            (self.rounds, self.evaluations) = (self.rounds + rounds, self.evaluations + evaluations);
-            return Ok(());
-        }
-        let Setting { laws, exists, before } = &setting;
-        self.motion.rows.free = self.free;
-        self.problem = Problem::of(stride, (laws, exists), &mut self.motion.rows, before);
-        self.solved = self.problem.solve(&self.motion.rows);
-        self.rounds += self.solved.rounds;
-        Ok(())
+        (u, x): (&M::U, &mut X),
+        (before, evaluations): (&Modes<S, N>, u32),
+    ) -> Landed<S, N> {
+        let Self { motion, problem, solved, place, rounds, .. } = &mut self;
+        let modes = modes(&motion.rows, (stride, problem), solved, before);
+        let [ahead, rest] = stride.parts();
+        with_forces(system, (stride.t + ahead, u, place.as_ref().unwrap_or(x)), motion, &solved.lambda);
+        let away = away(stride, &motion.rows, solved, before);
+        let corrections = lead_back(&mut motion.rows, &solved.modes, &away);
+        arrive::<M, N>((stride.h, rest), motion, (&solved.lambda, corrections.as_ref()), x);
+        let residual = solved.residual * stride.h;
+        Landed { modes, solution: Solution { residual, rounds: *rounds, evaluations, health: motion.health } }
     }
+}
 
+/// Makes a step with the intermediate place `x` that is split where the first of the rows closes that strike. It evaluates the step anew,
+/// without these rows, and takes copies: what it would share with a step without impacts would have to stand in memory in every step.
+#[cold]
+#[inline(never)]
+pub(super) fn split<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
+    system: &M,
+    whole: Stride<M::S>,
+    (u, mut x): (&M::U, M::X),
+    strikes: [bool; N],
+) -> Result<Split<M::S, M::X, N>, Fault> {
+    let (setting, whole) = (&Setting::of(system, u), &whole);
+    let [ahead, _] = whole.parts();
+    let others = Setting { exists: core::array::from_fn(|i| setting.exists[i] && !strikes[i]), ..*setting };
+    let motion = system.motion_at(whole.t + ahead, u, &x);
+    let mut attempt = Attempt::of::<M, EVALUATIONS>(system, whole, (u, &x), &others, motion)?;
+    let until = attempt.first_closing(whole, &strikes);
+    let [own_ahead, own_rest] = Stride { h: until, ..*whole }.parts();
+    let at = (whole.t + ahead, u, attempt.place.as_ref().unwrap_or(&x));
+    with_forces(system, at, &mut attempt.motion, &attempt.solved.lambda);
+    drift::<M>(own_ahead - ahead, &mut x);
+    arrive::<M, N>((until, own_rest), &attempt.motion, (&attempt.solved.lambda, None), &mut x);
+
+    let rest = Stride { t: whole.t + until, h: whole.h - until, theta: whole.theta };
+    let mut motion = system.motion_at(rest.t, u, &x);
+    look_at_signs(system, rest.t, u, &motion.rows)?;
+    let mut blow = Blow { residual: M::S::ZERO, rounds: attempt.rounds };
+    let struck = impacts(system, (&rest, whole.h), (setting, u), (&mut motion, &mut x), &mut blow)?;
+    let health = attempt.motion.health.worst(motion.health);
+
+    let [ahead, _] = rest.parts();
+    drift::<M>(ahead, &mut x);
+    let motion = system.motion_at(rest.t + ahead, u, &x);
+    attempt = Attempt::of::<M, EVALUATIONS>(system, &rest, (u, &x), setting, motion)?;
+    attempt.motion.health = attempt.motion.health.worst(health);
+    let evaluations = 3 * EVALUATIONS as u32 + 1;
+    let mut landed = attempt.land(system, &rest, (u, &mut x), (&setting.before, evaluations));
+    landed.solution.residual = blow.residual.max(landed.solution.residual);
+    landed.solution.rounds += blow.rounds;
+    Ok(Split { x, landed, time: rest.t, struck })
+}
+
+impl<S: Real, X: Vector<S>, const N: usize> Attempt<S, X, N> {
     /// Time after which the first of the rows closes that strike, before the end of the step.
     fn first_closing(&self, stride: &Stride<S>, strikes: &[bool; N]) -> S {
-        let latest = stride.h - tail::<S>() * stride.h;
-        let closings = strikes.iter().enumerate().filter(|(_, strikes)| **strikes);
-        closings.fold(latest, |until, (i, _)| {
-            let rate = self.problem.rate_at_end(&self.solved, i);
-            first_closing(stride, &self.motion.rows, (i, rate)).map_or(until, |time| time.min(until))
-        })
+        let mut until = stride.h - tail::<S>() * stride.h;
+        for i in 0..N {
+            if strikes[i] {
+                let rate = self.problem.rate_at_end(&self.solved, i);
+                if let Some(time) = first_closing(stride, &self.motion.rows, (i, rate)) {
+                    until = time.min(until);
+                }
+            }
+        }
+        until
     }
 }
 

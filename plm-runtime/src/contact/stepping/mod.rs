@@ -29,10 +29,10 @@ mod smooth;
 mod solver;
 
 pub(super) use self::attempt::tail;
-use self::attempt::{Attempt, Setting};
+use self::attempt::{Attempt, Landed, Setting, split};
 pub use self::packed::{Proposed, packed_steps};
 pub(super) use self::problem::NO_SLIP;
-use self::problem::{Problem, away, lead_back};
+use self::problem::Problem;
 pub use self::smooth::{smooth_step, smooth_stride};
 use self::solver::Solved;
 pub(super) use self::solver::{CARRIED, DEPENDENT, ROUNDING};
@@ -122,27 +122,18 @@ fn step_by<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     let ([ahead, _], end) = (stride.parts(), stride.t + stride.h);
     drift::<M>(ahead, x);
     let motion = motion(stride.t + ahead, u, x);
-    let setting = Setting {
-        laws: core::array::from_fn(|row| system.law(row)),
-        exists: core::array::from_fn(|row| system.exists(u, row)),
-        before: *u.modes(),
-    };
-    let mut attempt = Attempt::of::<M, EVALUATIONS>(system, stride, (u, x), &setting, motion)?;
-    let (mut stride, mut struck) = (*stride, Struck::nothing());
+    let setting = Setting::of(system, u);
+    let attempt = Attempt::of::<M, EVALUATIONS>(system, stride, (u, x), &setting, motion)?;
+    let (before, mut impact) = (&setting.before, None);
     let strikes = attempt.strikes(stride.h, &setting);
-    if strikes.contains(&true) {
-        struck = attempt.split::<M, EVALUATIONS>(system, &mut stride, (u, x), (&setting, &strikes))?;
-    }
-    let before = &setting.before;
-    let Attempt { mut motion, problem, solved, place, residual, rounds, evaluations, .. } = attempt;
-    let after = modes(&motion.rows, (&stride, &problem), &solved, before);
-    let [ahead, rest] = stride.parts();
-    with_forces(system, (stride.t + ahead, u, place.as_ref().unwrap_or(x)), &mut motion, &solved.lambda);
-    let away = away(&stride, &motion.rows, &solved, before);
-    let corrections = lead_back(&mut motion.rows, &solved.modes, &away);
-    arrive::<M, N>((stride.h, rest), &motion, (&solved.lambda, corrections.as_ref()), x);
-    let residual = residual.max(solved.residual * stride.h);
-    let solution = Solution { residual, rounds, evaluations, health: motion.health };
+    let Landed { modes: after, solution } = if strikes.contains(&true) {
+        let split = split::<M, N, EVALUATIONS>(system, *stride, (u, *x), strikes)?;
+        impact = Some((split.time, split.struck));
+        *x = split.x;
+        split.landed
+    } else {
+        attempt.land(system, stride, (u, x), (before, EVALUATIONS as u32))
+    };
     if !(solution.health.is_good() && x.is_finite()) {
         return finish(u, x, &solution).map(|()| solution);
     }
@@ -152,7 +143,7 @@ fn step_by<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
         *u.modes_mut() = *before;
         return Err(fault);
     }
-    count(u, (stride.t, &struck), before, &after);
+    count(u, impact.as_ref(), before, &after);
     Ok(solution)
 }
 
@@ -189,23 +180,22 @@ fn predicted<M: Rate>(time: M::S, x: &M::X, rate: &M::X) -> M::X {
     place
 }
 
-/// Counts the changes of modes in a step, and records its impacts.
+/// Counts the changes of modes in a step, and records its impacts with their time.
 fn count<S: Real, U: Modal<S, N>, const N: usize>(
     u: &mut U,
-    (time, struck): (S, &Struck<S, N>),
+    impact: Option<&(S, Struck<S, N>)>,
     before: &Modes<S, N>,
     after: &Modes<S, N>,
 ) {
-    if after.of == before.of && struck.count == 0 {
+    let impacts = impact.map_or(0, |(_, struck)| struck.count);
+    if after.of == before.of && impacts == 0 {
         return;
     }
-    let mut outcome = Outcome { impacts: struck.count, ..Outcome::default() };
+    let mut outcome = Outcome { impacts, ..Outcome::default() };
     outcome.compare(before, after);
     outcome.is_undetermined = after.are_undetermined() && !before.are_undetermined();
     u.count(&outcome, false);
-    if struck.count > 0
-        && let Some(booked) = u.booked()
-    {
+    if let (Some((time, struck)), Some(booked)) = (impact, u.booked()) {
         booked.book(time.to_f64(), struck);
     }
 }
