@@ -151,8 +151,7 @@ fn a_four_bar_with_limits_converges() {
             println!("{theta} {h}: {errors:?}");
             assert!(errors.iter().all(|error| *error < 1.5 * h), "{theta} {h}: {errors:?}");
             let residuals = [joint.method().largest_residual(), absolute.method().largest_residual()];
-            // An impact at 3 rad/s with a friction that a reaction in the plane bounds leaves 3e-5 rad/s in absolute coordinates.
-            assert!(residuals.iter().all(|residual| *residual < 1e-4), "{theta} {h}: {residuals:?}");
+            assert!(residuals.iter().all(|residual| *residual < 1e-5), "{theta} {h}: {residuals:?}");
         }
     }
     // Two evaluations are of order 2 until the rocker strikes.

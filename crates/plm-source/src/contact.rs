@@ -270,14 +270,16 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
         ("signs", where_wanted(rubs, SIGNS)),
         ("look_at_signs", where_wanted(rubs, look)),
         ("joined", where_wanted(plan.projects(), joined)),
+        ("and_split", where_wanted(strikes, ". An impact splits it")),
         ("impacts", where_wanted(strikes, IMPACTS)),
         ("impact_law", law.to_owned()),
         ("strike", where_wanted(strikes, strike)),
         ("split", where_wanted(strikes, SPLIT)),
+        ("joined_here", where_wanted(plan.projects(), &joined.replace("self, end", "self, *t"))),
         ("free", where_wanted(strikes, free)),
         ("look_at_signs_here", where_wanted(rubs, &here)),
         ("with_forces_here", where_wanted(!contacts.is_affine, &forced_here)),
-        ("end", end(plan, strikes)),
+        ("declared", declared(plan, strikes)),
         ("with_forces", where_wanted(!contacts.is_affine, forced)),
         ("without_own_bounds", where_wanted(rubs, own)),
         ("expansion_of_bounds", where_wanted(rubs, expansion)),
@@ -290,7 +292,7 @@ fn of_step(plan: &Plan, contacts: &Contacts) -> Vec<(&'static str, String)> {
 }
 
 /// Declarations of a step that not every mechanism needs.
-fn end(plan: &Plan, strikes: bool) -> String {
+fn declared(plan: &Plan, strikes: bool) -> String {
     let end = where_wanted(plan.projects(), "    const plm_real end = self->time + h;\n");
     end + &where_wanted(strikes, "    plm_real free[@places@];\n    int strikes[@places@];\n")
 }

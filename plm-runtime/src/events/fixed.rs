@@ -1,4 +1,5 @@
-//! Guards over fixed steps, which events do not end: conditions that come and go within one are counted as missed.
+//! Guards over fixed steps: the time within one at which contact changes; other events do not end a step, and conditions that come and go
+//! within one are counted as missed.
 
 use super::relevant::{Relevant, bit};
 use super::root::{Point, root};

@@ -348,7 +348,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
 }
 
 /// Projects the state that was reached onto the constraints.
-fn project_end<M: System<S: Real>>(context: &mut Context<'_, M>) -> Result<(), Fault> {
+pub(super) fn project_end<M: System<S: Real>>(context: &mut Context<'_, M>) -> Result<(), Fault> {
     let (time, mut x) = (context.time, context.x);
     events::before_projection(context, time, &x)?;
     context.project(time, &mut x)?;

@@ -2,7 +2,7 @@
 //! impact is at its time, and a slip ends where its rate is zero.
 
 use super::Observer;
-use super::advance::{Advance, Made};
+use super::advance::{Advance, Made, project_end};
 use crate::events::{Beginning, Event};
 use crate::mechanism::Mechanism;
 use crate::method::Method;
@@ -43,16 +43,10 @@ impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
         if is_ended {
             return made;
         }
-        self.context.end = whole;
-        self.method.restart();
-        if let (Made::Step, true) = (&made, self.context.time < whole)
-            && let Err(fault) = self.method.begin(self.context)
-        {
-            return Made::Failed(fault);
-        }
-        made
+        self.go_back_to(whole, made)
     }
 
+    /// Makes the parts; between them the rows that hold from then on are led to their places, which the first part has passed by rounding.
     fn in_parts(&mut self, Cut { share, until }: &Cut<M::S>) -> Made<M::S> {
         let (from, before) = (self.context.time, self.context.stats.switches);
         for later in LATER {
@@ -66,6 +60,9 @@ impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
                 return made;
             }
             if self.context.stats.switches > before {
+                if let Err(fault) = project_end(self.context) {
+                    return Made::Failed(fault);
+                }
                 break;
             }
         }

@@ -31,9 +31,14 @@ impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
                 None => Made::Failed(self.context.fault(Cause::NotRegular)),
             };
         }
-        self.context.end = whole;
+        self.go_back_to(whole, made)
+    }
+
+    /// Divides the rest of the interval to `end` anew, after a step that was made in parts.
+    pub(super) fn go_back_to(&mut self, end: M::S, made: Made<M::S>) -> Made<M::S> {
+        self.context.end = end;
         self.method.restart();
-        if let (Made::Step, true) = (&made, self.context.time < whole)
+        if let (Made::Step, true) = (&made, self.context.time < end)
             && let Err(fault) = self.method.begin(self.context)
         {
             return Made::Failed(fault);

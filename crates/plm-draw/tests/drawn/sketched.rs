@@ -8,7 +8,7 @@ fn away(one: &Placed, other: &Placed) -> f64 {
     (one.at[0] - other.at[0]).hypot(one.at[1] - other.at[1])
 }
 
-/// What is no guess stands where the compiler's picture has it.
+/// Ports whose place is not guessed stand where the compiler's picture has them.
 #[test]
 fn what_the_text_tells_is_where_it_is_assembled() {
     let (mut exact, mut guessed) = (0, 0);

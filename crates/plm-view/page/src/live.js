@@ -356,7 +356,7 @@ export class Live {
       this.states.era += 1;
       this.append(numbers);
       if (isRecording) this.recordsFrom = run.start;
-      if (!isAssembled) standStill(run);
+      if (!isAssembled) run.declareGround();
     }
     if (app.run === run) app.player.isFollowing = true;
     app.rowsAppended(run);
@@ -385,12 +385,6 @@ export class Live {
     const from = Math.min(recordsFrom ?? Infinity, run.end - LIVE_WINDOW);
     if (run.start < from) run.dropBefore(from);
   }
-}
-
-/** What cannot be assembled has no ground: it is where it is declared. @param {Run} run */
-function standStill(run) {
-  run.ground?.clear();
-  run.ground?.append(run.mechanism.ground.flatMap(({ x, y, angle }) => [x, y, angle]));
 }
 
 /** @param {RunHead} head @returns {RunHead} */

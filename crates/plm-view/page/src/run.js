@@ -88,6 +88,12 @@ export class Run {
     this.version = 0;
   }
 
+  /** Puts the ground where it is declared: a start that cannot be assembled gives no place. */
+  declareGround() {
+    this.ground?.clear();
+    this.ground?.append(this.mechanism.ground.flatMap(({ x, y, angle }) => [x, y, angle]));
+  }
+
   /** A run without rows, for a source that appends them. @param {RunHead} head */
   static empty(head) {
     const ground = head.mechanism.ground.length;

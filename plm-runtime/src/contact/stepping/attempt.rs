@@ -12,6 +12,7 @@ use super::{Motion, Solution, Stride, arrive, drift, modes, predicted, with_forc
 use crate::contact::booked::Struck;
 use crate::contact::bounds::look_at_signs;
 use crate::contact::modes::{Mode, Modes};
+use crate::contact::project::joints_after_step;
 use crate::contact::rows::Law;
 use crate::contact::{Contacts, Modal};
 use crate::fault::Fault;
@@ -40,10 +41,10 @@ impl<S: Real, const N: usize> Setting<S, N> {
     }
 }
 
-/// A step at its intermediate place, with the forces of the rows.
-pub(super) struct Attempt<S: Scalar, X, const N: usize> {
+/// A step at its intermediate place, with the forces of the rows. It has the motion of its caller: a copy would cost more than the step.
+pub(super) struct Attempt<'m, S: Scalar, X, const N: usize> {
     /// The last evaluation.
-    pub(super) motion: Motion<S, X, N>,
+    motion: &'m mut Motion<S, X, N>,
     problem: Problem<S, N>,
     solved: Solved<S, N>,
     /// The state of the last evaluation, if it is not the intermediate place.
@@ -69,37 +70,57 @@ pub(super) struct Split<S, X, const N: usize> {
     pub(super) struck: Struck<S, N>,
 }
 
-impl<S: Real, X: Vector<S>, const N: usize> Attempt<S, X, N> {
-    /// Solves the step with the intermediate place `x`, at which the first evaluation is.
+impl<'m, S: Real, X: Vector<S>, const N: usize> Attempt<'m, S, X, N> {
+    /// Solves the step whose first evaluation is `motion`.
     #[allow(clippy::inline_always, reason = "as the step, of which it is the larger part")]
     #[inline(always)]
-    pub(super) fn of<M: Contacts<N> + Rate<S = S, X = X>, const EVALUATIONS: usize>(
+    pub(super) fn of(
+        stride: &Stride<S>,
+        Setting { laws, exists, before }: &Setting<S, N>,
+        motion: &'m mut Motion<S, X, N>,
+    ) -> Self {
+        let free = motion.rows.free;
+        let problem = Problem::of(stride, (laws, exists), &mut motion.rows, before);
+        let solved = problem.solve(&motion.rows);
+        let rounds = solved.rounds;
+        Self { motion, problem, solved, place: None, rounds, free }
+    }
+
+    /// Evaluates and solves the step again, at the state that the forces predict for the intermediate place `x`.
+    #[inline]
+    pub(super) fn again<M: Contacts<N> + Rate<S = S, X = X>>(
+        &mut self,
         system: &M,
         stride: &Stride<S>,
         (u, x): (&M::U, &X),
-        setting: &Setting<S, N>,
-        mut motion: Motion<S, X, N>,
-    ) -> Result<Self, Fault> {
-        let ([ahead, _], Setting { laws, exists, before }) = (stride.parts(), setting);
+        Setting { laws, exists, before }: &Setting<S, N>,
+    ) -> Result<(), Fault> {
+        let [ahead, _] = stride.parts();
+        self.with_forces(system, stride, (u, x));
+        let Self { motion, problem, solved, place, rounds, free } = self;
+        let next = predicted::<M>(ahead, x, &with_responses::<M, N>(motion, &solved.lambda));
+        **motion = evaluated_again(motion, system.motion_at(stride.t + ahead, u, &next));
         look_at_signs(system, stride.t, u, &motion.rows)?;
-        let mut free = motion.rows.free;
-        let mut problem = Problem::of(stride, (laws, exists), &mut motion.rows, before);
-        let mut solved = problem.solve(&motion.rows);
-        let (mut place, mut rounds) = (None, solved.rounds);
-        for _ in 1..EVALUATIONS {
-            let last = place.as_ref().unwrap_or(x);
-            with_forces(system, (stride.t + ahead, u, last), &mut motion, &solved.lambda);
-            let next = predicted::<M>(ahead, x, &with_responses::<M, N>(&motion, &solved.lambda));
-            motion = evaluated_again(&motion, system.motion_at(stride.t + ahead, u, &next));
-            look_at_signs(system, stride.t, u, &motion.rows)?;
-            let guess = Modes { of: solved.modes, carried: solved.carried, ..*before };
-            free = motion.rows.free;
-            problem = Problem::of(stride, (laws, exists), &mut motion.rows, &guess);
-            solved = problem.solve(&motion.rows);
-            rounds += solved.rounds;
-            place = Some(next);
-        }
-        Ok(Self { motion, problem, solved, place, rounds, free })
+        let guess = Modes { of: solved.modes, carried: solved.carried, ..*before };
+        *free = motion.rows.free;
+        *problem = Problem::of(stride, (laws, exists), &mut motion.rows, &guess);
+        *solved = problem.solve(&motion.rows);
+        *rounds += solved.rounds;
+        *place = Some(next);
+        Ok(())
+    }
+
+    /// Gives first-order states the rates that they have with the forces, at the state of the last evaluation.
+    #[inline]
+    fn with_forces<M: Contacts<N> + Rate<S = S, X = X>>(
+        &mut self,
+        system: &M,
+        stride: &Stride<S>,
+        (u, x): (&M::U, &X),
+    ) {
+        let [ahead, _] = stride.parts();
+        let at = (stride.t + ahead, u, self.place.as_ref().unwrap_or(x));
+        with_forces(system, at, self.motion, &self.solved.lambda);
     }
 
     /// Rows that strike: the step closes their gap, and they come faster than accelerations make them in a step of `h`.
@@ -117,21 +138,35 @@ impl<S: Real, X: Vector<S>, const N: usize> Attempt<S, X, N> {
     #[allow(clippy::inline_always, reason = "as the step, of which it is the end")]
     #[inline(always)]
     pub(super) fn land<M: Contacts<N> + Rate<S = S, X = X>>(
-        mut self,
+        &mut self,
         system: &M,
         stride: &Stride<S>,
         (u, x): (&M::U, &mut X),
         (before, evaluations): (&Modes<S, N>, u32),
     ) -> Landed<S, N> {
-        let Self { motion, problem, solved, place, rounds, .. } = &mut self;
-        let modes = modes(&motion.rows, (stride, problem), solved, before);
-        let [ahead, rest] = stride.parts();
-        with_forces(system, (stride.t + ahead, u, place.as_ref().unwrap_or(x)), motion, &solved.lambda);
+        let modes = modes(&self.motion.rows, (stride, &self.problem), &self.solved, before);
+        self.with_forces(system, stride, (u, x));
+        let Self { motion, solved, rounds, .. } = self;
         let away = away(stride, &motion.rows, solved, before);
         let corrections = lead_back(&mut motion.rows, &solved.modes, &away);
+        let [_, rest] = stride.parts();
         arrive::<M, N>((stride.h, rest), motion, (&solved.lambda, corrections.as_ref()), x);
         let residual = solved.residual * stride.h;
         Landed { modes, solution: Solution { residual, rounds: *rounds, evaluations, health: motion.health } }
+    }
+
+    /// Time after which the first of the rows closes that strike, before the end of the step.
+    fn first_closing(&self, stride: &Stride<S>, strikes: &[bool; N]) -> S {
+        let mut until = stride.h - tail::<S>() * stride.h;
+        for i in 0..N {
+            if strikes[i] {
+                let rate = self.problem.rate_at_end(&self.solved, i);
+                if let Some(time) = first_closing(stride, &self.motion.rows, (i, rate)) {
+                    until = time.min(until);
+                }
+            }
+        }
+        until
     }
 }
 
@@ -148,48 +183,39 @@ pub(super) fn split<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
     let (setting, whole) = (&Setting::of(system, u), &whole);
     let [ahead, _] = whole.parts();
     let others = Setting { exists: core::array::from_fn(|i| setting.exists[i] && !strikes[i]), ..*setting };
-    let motion = system.motion_at(whole.t + ahead, u, &x);
-    let mut attempt = Attempt::of::<M, EVALUATIONS>(system, whole, (u, &x), &others, motion)?;
+    let mut motion = system.motion_at(whole.t + ahead, u, &x);
+    let mut attempt = Attempt::of(whole, &others, &mut motion);
+    for _ in 1..EVALUATIONS {
+        attempt.again(system, whole, (u, &x), &others)?;
+    }
     let until = attempt.first_closing(whole, &strikes);
     let [own_ahead, own_rest] = Stride { h: until, ..*whole }.parts();
-    let at = (whole.t + ahead, u, attempt.place.as_ref().unwrap_or(&x));
-    with_forces(system, at, &mut attempt.motion, &attempt.solved.lambda);
+    attempt.with_forces(system, whole, (u, &x));
     drift::<M>(own_ahead - ahead, &mut x);
-    arrive::<M, N>((until, own_rest), &attempt.motion, (&attempt.solved.lambda, None), &mut x);
-
-    let rest = Stride { t: whole.t + until, h: whole.h - until, theta: whole.theta };
-    let mut motion = system.motion_at(rest.t, u, &x);
-    look_at_signs(system, rest.t, u, &motion.rows)?;
+    arrive::<M, N>((until, own_rest), attempt.motion, (&attempt.solved.lambda, None), &mut x);
     let mut blow = Blow { residual: M::S::ZERO, rounds: attempt.rounds };
-    let struck = impacts(system, (&rest, whole.h), (setting, u), (&mut motion, &mut x), &mut blow)?;
-    let health = attempt.motion.health.worst(motion.health);
+    let rest = Stride { t: whole.t + until, h: whole.h - until, theta: whole.theta };
+    joints_after_step(system, rest.t, u, &mut x)?;
+
+    let mut at_impact = system.motion_at(rest.t, u, &x);
+    look_at_signs(system, rest.t, u, &at_impact.rows)?;
+    let struck = impacts(system, (&rest, whole.h), (setting, u), (&mut at_impact, &mut x), &mut blow)?;
+    let health = motion.health.worst(at_impact.health);
 
     let [ahead, _] = rest.parts();
     drift::<M>(ahead, &mut x);
-    let motion = system.motion_at(rest.t + ahead, u, &x);
-    attempt = Attempt::of::<M, EVALUATIONS>(system, &rest, (u, &x), setting, motion)?;
-    attempt.motion.health = attempt.motion.health.worst(health);
+    motion = system.motion_at(rest.t + ahead, u, &x);
+    look_at_signs(system, rest.t, u, &motion.rows)?;
+    motion.health = motion.health.worst(health);
+    let mut attempt = Attempt::of(&rest, setting, &mut motion);
+    for _ in 1..EVALUATIONS {
+        attempt.again(system, &rest, (u, &x), setting)?;
+    }
     let evaluations = 3 * EVALUATIONS as u32 + 1;
     let mut landed = attempt.land(system, &rest, (u, &mut x), (&setting.before, evaluations));
     landed.solution.residual = blow.residual.max(landed.solution.residual);
     landed.solution.rounds += blow.rounds;
     Ok(Split { x, landed, time: rest.t, struck })
-}
-
-impl<S: Real, X: Vector<S>, const N: usize> Attempt<S, X, N> {
-    /// Time after which the first of the rows closes that strike, before the end of the step.
-    fn first_closing(&self, stride: &Stride<S>, strikes: &[bool; N]) -> S {
-        let mut until = stride.h - tail::<S>() * stride.h;
-        for i in 0..N {
-            if strikes[i] {
-                let rate = self.problem.rate_at_end(&self.solved, i);
-                if let Some(time) = first_closing(stride, &self.motion.rows, (i, rate)) {
-                    until = time.min(until);
-                }
-            }
-        }
-        until
-    }
 }
 
 /// Shortest rest of a step after an impact, as a fraction of the step: a rest of rounding would be no step.

@@ -91,7 +91,7 @@ pub struct Motion<S, X, const N: usize> {
 }
 
 /// Makes a step with so many evaluations of the equations of motion; `x` becomes the state at its end, and `u` gets the modes that have led
-/// there. `behind` then checks or continues both; if it fails, the modes before the step are restored.
+/// there. `after` then checks or continues both; if it fails, the modes before the step are restored.
 ///
 /// # Errors
 /// Those of [`Contacts::project_joints`] and of `after`; [`Cause::ImpactGains`](crate::Cause::ImpactGains) and
@@ -121,9 +121,13 @@ fn step_by<M: Contacts<N>, const N: usize, const EVALUATIONS: usize>(
 ) -> Result<Solution<M::S>, Fault> {
     let ([ahead, _], end) = (stride.parts(), stride.t + stride.h);
     drift::<M>(ahead, x);
-    let motion = motion(stride.t + ahead, u, x);
+    let mut motion = motion(stride.t + ahead, u, x);
+    super::bounds::look_at_signs(system, stride.t, u, &motion.rows)?;
     let setting = Setting::of(system, u);
-    let attempt = Attempt::of::<M, EVALUATIONS>(system, stride, (u, x), &setting, motion)?;
+    let mut attempt = Attempt::of(stride, &setting, &mut motion);
+    for _ in 1..EVALUATIONS {
+        attempt.again(system, stride, (u, x), &setting)?;
+    }
     let (before, mut impact) = (&setting.before, None);
     let strikes = attempt.strikes(stride.h, &setting);
     let Landed { modes: after, solution } = if strikes.contains(&true) {

@@ -194,7 +194,7 @@ fn the_picture_of_steps_of_moreau_and_jean_is_that_of_the_runs() {
             assert!(run.error.is_some_and(|error| error < most), "{scene} {}", run.size);
         }
     }
-    // Of order 1 with the semi-implicit Euler method, without creep, and no impact gains.
+    // Of order 1 with the semi-implicit Euler method, whose flights are low by g h t/2, without creep, and no impact gains.
     for theta in steps::LINES {
         for (scene, most) in [
             ("oscillator", 2.0),
