@@ -94,7 +94,7 @@ where
 fn run<M: Mechanism<S = f64>, I: Method<M>>(mechanism: M, method: I) -> String {
     let (mut least, mut told) = (f64::INFINITY, String::new());
     for _ in 0..5 {
-        let mut sim = mechanism.start_with(method).expect("the arms can be assembled");
+        let mut sim = mechanism.start_with(method.clone()).expect("the arms can be assembled");
         let begin = Instant::now();
         sim.step(4.0).expect("the arms can be moved");
         least = least.min(begin.elapsed().as_secs_f64() * 1e6);

@@ -188,7 +188,7 @@ fn all_of<I: Method<Scene>>(sim: &Sim<Scene, I>) -> impl PartialEq + core::fmt::
 /// A run that was changed and begun again has the bits of a fresh one.
 fn begins_again<I: Method<Scene>>(method: I) {
     let mechanism = Pendulum::new();
-    let mut fresh = mechanism.with("load", 3.0).start_at(5.0, method).unwrap();
+    let mut fresh = mechanism.with("load", 3.0).start_at(5.0, method.clone()).unwrap();
     let mut sim = mechanism.start_at(5.0, method).unwrap();
     sim.step(0.3).unwrap();
     sim.set_input("torque", 7.0);

@@ -6,14 +6,12 @@
 //! works on arrays in place, needs no bidiagonalisation, and is accurate to small singular values (J. Demmel,
 //! K. Veselic, Jacobi's method is more accurate than QR, SIAM J. Matrix Anal. Appl. 13, 1992).
 
-mod at_run_time;
 mod complex;
-mod lu;
+pub mod lu;
 mod mixed;
 mod resolvent;
-mod sparse;
+pub mod sparse;
 
-pub use at_run_time::AtRunTime;
 pub use complex::{Both, Complex, Entry};
 pub use lu::Lu;
 pub use mixed::Mixed;

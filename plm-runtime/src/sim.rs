@@ -58,7 +58,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// A simulation that begins in `state`.
     pub fn new(mut state: M::State, method: I) -> Self {
         if state.mechanism().contact_count() > 0 {
-            M::change_contact(state.in_place().held, I::CHANGE);
+            M::change_contact(state.in_place().held, method.change());
         }
         Self {
             parameters: state.mechanism().fingerprint(),
@@ -102,7 +102,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         let one = M::S::lit(1.0);
         sample(&self.state);
         let mut k = one;
-        if !I::DENSE {
+        if !self.method.is_dense() {
             while k <= times.last {
                 self.advance(times.at(k), every, &mut Unobserved)?;
                 sample(&self.state);
@@ -189,12 +189,12 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
 
     /// Everything that decides how the run goes on.
     pub fn save(&self) -> Snapshot<M, I> {
-        Snapshot(*self)
+        Snapshot(self.clone())
     }
 
     /// Goes on from a saved moment.
     pub fn resume(&mut self, snapshot: &Snapshot<M, I>) {
-        *self = snapshot.0;
+        self.clone_from(&snapshot.0);
     }
 
     /// Advances to `end`, which is to be `length` from here; `observer` sees every accepted step.
@@ -204,7 +204,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         if !begins {
             self.begin(end, length)?;
         }
-        if I::FAST && !O::SEES && self.fast_step(end) {
+        if self.method.is_fast() && !O::SEES && self.fast_step(end) {
             return Ok(());
         }
         self.many(end, length, observer)

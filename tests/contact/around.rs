@@ -66,7 +66,7 @@ const UNTIL: f64 = 1.9;
 
 /// By one method: with samples, in one go, by steps of three lengths, from saved moments, and at times ahead and behind.
 fn at_every_pace(known: Known, method: impl Method<Scene>, within: f64) {
-    let start = || known.scene.start_with(method).unwrap();
+    let start = || known.scene.start_with(method.clone()).unwrap();
     let (mut sampled, mut whole) = (start(), start());
     let mut samples = 0;
     sampled

@@ -40,12 +40,23 @@ fn scaled<S: Scalar>(operation: Operation, factor: f64, at: impl Fn(Register) ->
     }
 }
 
-/// One step, and the constant that it multiplies or divides.
+/// One step, and the constant that it multiplies or divides. A program has the operations once for each kind of numbers, not once for
+/// each way to give arguments.
+#[inline]
 pub(crate) fn evaluate<S: Scalar>(
-    (step, factor): (&Step, Option<f64>),
+    step: (&Step, Option<f64>),
     registers: &mut [S],
     argument: impl Fn(usize) -> S,
 ) {
+    if let Operation::Argument(k) = step.0.operation {
+        registers[step.0.to as usize] = argument(k as usize);
+    } else {
+        operate(step, registers);
+    }
+}
+
+#[inline(never)]
+fn operate<S: Scalar>((step, factor): (&Step, Option<f64>), registers: &mut [S]) {
     use Operation as O;
     let at = |register: u32| registers[register as usize];
     let factor = factor.filter(|_| S::HAS_DERIVATIVES);
@@ -55,7 +66,7 @@ pub(crate) fn evaluate<S: Scalar>(
     }
     let value = match step.operation {
         O::Number(value) => S::lit(value),
-        O::Argument(k) => argument(k as usize),
+        O::Argument(_) => return,
         O::Add(a, b) => at(a) + at(b),
         O::Sub(a, b) => at(a) - at(b),
         O::Mul(a, b) => at(a) * at(b),

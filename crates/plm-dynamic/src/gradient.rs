@@ -1,19 +1,20 @@
 //! Derivatives of the outputs of a run, by a run on dual numbers.
 
-use plm_run::Integrator;
+use plm_run::{AnySim, Integrator};
 use plm_runtime::sim::Seen;
-use plm_runtime::{Described, Dop853, Dual, Fault, Method, Moment, Rk4, Sim, with_derivatives};
+use plm_runtime::{Described, Dual, Fault, Moment, Sim, with_derivatives};
 
 use crate::capacity::{PARAMETERS, ROWS, SWITCHES};
 use crate::handle::Dynamic;
 use crate::model::Model;
 use crate::run::{Error, Mechanism};
 use crate::sizes::{Models, with_inputs};
+use crate::system::State;
 
 /// A number with its derivative.
 type Lifted = Dual<f64, 1>;
-/// Mechanisms of at most 8 bodies on such numbers.
-type Small = Dynamic<Lifted, 24, 32, 64, 24>;
+/// Mechanisms on such numbers.
+type Of<const NQ: usize, const NC: usize, const N: usize, const L: usize> = Dynamic<Lifted, NQ, NC, N, L>;
 
 /// Variable of differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,71 +40,70 @@ pub struct Derivative {
 
 impl Mechanism {
     /// Runs until a time, s, with a sample every so often, s, of quantities by their numbers among
-    /// [`observables`](Mechanism::observables), and gives their derivatives; of mechanisms of at most 8 bodies, by `Dop853` and `Rk4`.
-    /// The values have the bits of a run, but after what `max`, `abs` and the like bend, where steps end; it ends early where `goes_on` says so.
+    /// [`observables`](Mechanism::observables), and gives their derivatives. The values have the bits of a run, but after what `max`, `abs`
+    /// and the like bend, where steps end; it ends early where `goes_on` says so.
     ///
     /// # Errors
-    /// As [`start_with`](Mechanism::start_with); [`Error::NoDerivative`]; [`Error::Fault`] of the run.
+    /// As [`start_with`](Mechanism::start_with).
     pub fn derivative(
         &self,
         by: By,
         method: Integrator,
-        (until, every): (f64, f64),
+        times: (f64, f64),
         quantities: &[usize],
         goes_on: &mut dyn FnMut() -> bool,
     ) -> Result<Derivative, Error> {
-        let (Models::Tiny([_, model], _) | Models::Small(model, _)) = self.models else {
-            return Err(Error::NoDerivative);
-        };
         self.all_given()?;
-        let own = self.lifted(model, by);
-        let mut inputs: Vec<Option<Lifted>> =
-            self.given.inputs.iter().map(|given| given.map(Dual::constant)).collect();
-        if let By::Input(k) = by
-            && let (Some(input), Some(declared)) = (inputs.get_mut(k), own.declared_input().get(k))
-        {
-            *input = Some(Dual::variable(input.unwrap_or(*declared).value, 0));
-        }
-        let state = with_inputs(&own, &inputs, Dual::constant(self.given.time))?;
-        let times = [until, every].map(Dual::constant);
-        Ok(match method {
-            Integrator::Dop853(rtol) => {
-                over(Sim::new(state, Dop853::new(Dual::constant(rtol))), times, quantities, goes_on)
+        Ok(match self.models {
+            Models::Tiny([_, model], _) | Models::Small(model, _) => {
+                over(self.lifted::<24, 32, 64, 24>(model, by, method)?, times, quantities, goes_on)
             }
-            Integrator::Rk4(h) => {
-                over(Sim::new(state, Rk4::new(Dual::constant(h))), times, quantities, goes_on)
+            Models::Large(model) => {
+                over(self.lifted::<192, 224, 448, 64>(model, by, method)?, times, quantities, goes_on)
             }
-            _ => return Err(Error::NoDerivative),
         }?)
     }
 
-    /// The mechanism on numbers with a derivative by one of its own.
-    fn lifted(&self, model: &'static Model, by: By) -> Small {
-        let own = self.given.mechanism::<24, 32, 64, 24, SWITCHES, ROWS, PARAMETERS>(model);
+    /// A run on numbers with a derivative by one of its own.
+    fn lifted<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+        &self,
+        model: &'static Model,
+        by: By,
+        method: Integrator,
+    ) -> Result<Box<AnySim<Of<NQ, NC, N, L>>>, Fault> {
+        let own = self.given.mechanism::<NQ, NC, N, L, SWITCHES, ROWS, PARAMETERS>(model);
         let name = match by {
             By::Parameter(k) => self.parameters().nth(k).map(|(name, _)| plm_runtime::By::Parameter(name)),
             By::Start(k) => self.starts().get(k).map(|name| plm_runtime::By::Start(name)),
             By::Input(_) => None,
         };
         let named = name.and_then(|name| with_derivatives(&own, [name]).ok());
-        named.unwrap_or_else(|| own.map(&Dual::constant))
+        let lifted = named.unwrap_or_else(|| own.map(&Dual::constant));
+        let mut inputs: Vec<Option<Lifted>> =
+            self.given.inputs.iter().map(|given| given.map(Dual::constant)).collect();
+        if let By::Input(k) = by
+            && let (Some(input), Some(declared)) = (inputs.get_mut(k), lifted.declared_input().get(k))
+        {
+            *input = Some(Dual::variable(input.unwrap_or(*declared).value, 0));
+        }
+        Ok(Box::new(method.of(with_inputs(&lifted, &inputs, Dual::constant(self.given.time))?)))
     }
 }
 
 /// Runs a simulation until a time with samples.
-fn over<I: Method<Small>>(
-    mut sim: Sim<Small, I>,
-    [until, every]: [Lifted; 2],
+fn over<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    mut sim: Box<AnySim<Of<NQ, NC, N, L>>>,
+    (until, every): (f64, f64),
     quantities: &[usize],
     goes_on: &mut dyn FnMut() -> bool,
 ) -> Result<Derivative, Fault> {
     let columns = vec![Vec::new(); quantities.len()];
     let mut derivative = Derivative { times: Vec::new(), values: columns.clone(), slopes: columns };
-    let see = |seen: Seen<'_, <Small as plm_runtime::Mechanism>::State>| {
+    let see = |seen: Seen<'_, State<Lifted, NQ, NC, N, L>>| {
         let Seen::Sample(state) = seen else { return };
         derivative.times.push(state.time().value);
         let mut columns = derivative.values.iter_mut().zip(&mut derivative.slopes);
-        Small::observe(state, quantities.iter().copied(), &mut |number| {
+        Of::<NQ, NC, N, L>::observe(state, quantities.iter().copied(), &mut |number| {
             let Dual { value, tangents: [slope] } = number.unwrap_or(Dual::constant(f64::NAN));
             if let Some((values, slopes)) = columns.next() {
                 values.push(value);
@@ -111,6 +111,7 @@ fn over<I: Method<Small>>(
             }
         });
     };
+    let [until, every] = [until, every].map(Dual::constant);
     Sim::watch_events_while(&mut sim, until, every, see, |_| goes_on())?;
     Ok(derivative)
 }

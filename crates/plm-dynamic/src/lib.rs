@@ -12,6 +12,7 @@ mod column;
 mod contact;
 mod course;
 mod declared;
+mod derivatives;
 mod description;
 mod evaluation;
 mod gradient;

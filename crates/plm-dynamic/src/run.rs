@@ -67,10 +67,8 @@ pub enum Error {
     },
     /// A parameter that has no default was not given.
     NotGiven(String),
-    /// A method that a mechanism of this size has no run by.
-    Method(&'static str),
-    /// Derivatives are had of at most 8 bodies, by two methods.
-    NoDerivative,
+    /// There is no room for more than 8 bodies in [`Small`](crate::Small).
+    MoreThanSmall,
     /// The run has ended.
     Fault(Fault),
 }
@@ -86,8 +84,7 @@ impl fmt::Display for Error {
                 write!(f, "there is no {what} `{name}`; there are {known}")
             }
             Self::NotGiven(name) => write!(f, "the parameter `{name}` has no default: it must be given"),
-            Self::NoDerivative => f.write_str("derivatives are of at most 8 bodies, by Dop853 and Rk4"),
-            Self::Method(most) => write!(f, "more than 8 bodies run by {most}"),
+            Self::MoreThanSmall => f.write_str("mechanisms of at most 8 bodies are identified"),
             Self::Fault(fault) => fault.fmt(f),
         }
     }
@@ -199,10 +196,10 @@ impl Mechanism {
     /// bodies.
     ///
     /// # Errors
-    /// [`Error::NotGiven`]; [`Error::NoDerivative`], where it is larger.
+    /// [`Error::NotGiven`]; [`Error::MoreThanSmall`].
     pub fn small(&self) -> Result<Dynamic<f64, 24, 32, 64, 24>, Error> {
         let (Models::Tiny([_, model], _) | Models::Small(model, _)) = self.models else {
-            return Err(Error::NoDerivative);
+            return Err(Error::MoreThanSmall);
         };
         self.all_given()?;
         Ok(self.given.mechanism(model))
@@ -221,10 +218,10 @@ impl Mechanism {
         self.start_with(Integrator::default())
     }
 
-    /// Assembles it, and gives a run by a method. Mechanisms of more than 8 bodies run by `Dop853` and by `Rk4`.
+    /// Assembles it, and gives a run by a method.
     ///
     /// # Errors
-    /// [`Error::NotGiven`], [`Error::Fault`] of assembly, [`Error::Method`].
+    /// [`Error::NotGiven`], [`Error::Fault`] of assembly.
     pub fn start_with(&self, method: Integrator) -> Result<Run, Error> {
         self.all_given()?;
         let lowered = self.lowered();

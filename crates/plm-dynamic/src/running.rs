@@ -1,11 +1,11 @@
-//! Runs of any size by any method, behind one type.
+//! Runs of any size, behind one type.
 
-use plm_run::{AnySim, OnSim};
+use plm_run::AnySim;
 use plm_runtime::contact::Counts;
 use plm_runtime::described::by_number;
 use plm_runtime::held::Discrete;
 use plm_runtime::sim::Notice;
-use plm_runtime::{BodyState, Described, Dop853, Fault, Linear, Method, Moment, Rk4, Sim, Statics, Stats};
+use plm_runtime::{BodyState, Described, Fault, Linear, Method, Moment, Sim, Statics, Stats};
 
 use crate::numbers::Numbers;
 use crate::record::{Watch, record};
@@ -23,48 +23,33 @@ pub trait OnRun {
         I: Method<M>;
 }
 
-/// A run of some size by some method.
+/// A run of some size.
 #[derive(Clone)]
 pub(crate) enum Running {
     /// Of the smallest size.
-    TinyDop853(Box<Sim<Tiny, Dop853<Tiny>>>),
-    /// Of the smallest size.
-    TinyRk4(Box<Sim<Tiny, Rk4<f64>>>),
+    Tiny(Box<AnySim<Tiny>>),
     /// Of the smallest size, without contact.
-    PlainTinyDop853(Box<Sim<PlainTiny, Dop853<PlainTiny>>>),
-    /// Of the smallest size, without contact.
-    PlainTinyRk4(Box<Sim<PlainTiny, Rk4<f64>>>),
+    PlainTiny(Box<AnySim<PlainTiny>>),
     /// Of the smallest size with states, without contact.
-    PlainTinyStatesDop853(Box<Sim<PlainTinyStates, Dop853<PlainTinyStates>>>),
-    /// Of the smallest size with states, without contact.
-    PlainTinyStatesRk4(Box<Sim<PlainTinyStates, Rk4<f64>>>),
+    PlainTinyStates(Box<AnySim<PlainTinyStates>>),
     /// Of the middle size, without contact.
-    PlainSmallDop853(Box<Sim<PlainSmall, Dop853<PlainSmall>>>),
-    /// Of the middle size, without contact.
-    PlainSmallRk4(Box<Sim<PlainSmall, Rk4<f64>>>),
-    /// Of the middle size, by a method of the catalogue.
+    PlainSmall(Box<AnySim<PlainSmall>>),
+    /// Of the middle size.
     Small(Box<AnySim<Small>>),
     /// Of the largest size.
-    LargeDop853(Box<Sim<Large, Dop853<Large>>>),
-    /// Of the largest size.
-    LargeRk4(Box<Sim<Large, Rk4<f64>>>),
+    Large(Box<AnySim<Large>>),
 }
 
-/// Evaluates an expression on the simulation of a run, whatever its size and method; `$small` on one of the middle size.
+/// Evaluates an expression on the simulation of a run, whatever its size.
 macro_rules! of_each {
-    ($running:expr, $sim:ident => $value:expr, $small:expr) => {
+    ($running:expr, $sim:ident => $value:expr) => {
         match $running {
-            Running::Small($sim) => $small,
-            Running::PlainTinyDop853($sim) => $value,
-            Running::PlainTinyRk4($sim) => $value,
-            Running::PlainTinyStatesDop853($sim) => $value,
-            Running::PlainTinyStatesRk4($sim) => $value,
-            Running::PlainSmallDop853($sim) => $value,
-            Running::PlainSmallRk4($sim) => $value,
-            Running::TinyDop853($sim) => $value,
-            Running::TinyRk4($sim) => $value,
-            Running::LargeDop853($sim) => $value,
-            Running::LargeRk4($sim) => $value,
+            Running::Tiny($sim) => $value,
+            Running::PlainTiny($sim) => $value,
+            Running::PlainTinyStates($sim) => $value,
+            Running::PlainSmall($sim) => $value,
+            Running::Small($sim) => $value,
+            Running::Large($sim) => $value,
         }
     };
 }
@@ -72,25 +57,14 @@ macro_rules! of_each {
 /// Evaluates an expression on the state of a run.
 macro_rules! at_state {
     ($running:expr, $state:ident => $value:expr) => {
-        of_each!($running, sim => { let $state = sim.state(); $value }, { let $state = sim.state(); $value })
+        of_each!($running, sim => { let $state = sim.state(); $value })
     };
-}
-
-/// Work on a run of the middle size.
-struct OfSmall<W>(W);
-
-impl<W: OnRun> OnSim<Small> for OfSmall<W> {
-    type Output = W::Output;
-
-    fn on<I: Method<Small>>(self, sim: &mut Sim<Small, I>) -> W::Output {
-        self.0.on(sim)
-    }
 }
 
 impl Running {
     /// Does something with it.
     pub(crate) fn then<W: OnRun>(&mut self, work: W) -> W::Output {
-        of_each!(self, sim => work.on(sim), sim.then(OfSmall(work)))
+        of_each!(self, sim => work.on(&mut **sim))
     }
 
     /// The time, s.

@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use plm_run::Integrator;
-use plm_runtime::{Dop853, Fault, Mechanism, Method, Moment, Real, Rk4, Sim};
+use plm_run::{AnySim, Integrator};
+use plm_runtime::{Fault, Moment, Real};
 
 use crate::handle::Dynamic;
 use crate::model::Model;
 use crate::native::Translator;
-use crate::run::Error;
 use crate::running::Running;
 use crate::system::State;
 use crate::text::{Compiled, Refused};
@@ -166,47 +165,21 @@ impl Models {
     }
 
     /// A run by a method.
-    pub(crate) fn start(self, method: Integrator, given: &Given) -> Result<Running, Error> {
-        Ok(match (self, method) {
-            (Self::Tiny([tiny, _], Contents::Plain), Integrator::Dop853(rtol)) => {
-                Running::PlainTinyDop853(sim((tiny, given), Dop853::new(rtol))?)
+    pub(crate) fn start(self, method: Integrator, given: &Given) -> Result<Running, Fault> {
+        Ok(match self {
+            Self::Tiny([tiny, _], Contents::Plain) => Running::PlainTiny(sim((tiny, given), method)?),
+            Self::Tiny([tiny, _], Contents::PlainStates) => {
+                Running::PlainTinyStates(sim((tiny, given), method)?)
             }
-            (Self::Tiny([tiny, _], Contents::Plain), Integrator::Rk4(h)) => {
-                Running::PlainTinyRk4(sim((tiny, given), Rk4::new(h))?)
+            Self::Tiny([tiny, _], Contents::Full) => Running::Tiny(sim((tiny, given), method)?),
+            Self::Small(small, Contents::Plain | Contents::PlainStates) => {
+                Running::PlainSmall(sim((small, given), method)?)
             }
-            (Self::Tiny([tiny, _], Contents::PlainStates), Integrator::Dop853(rtol)) => {
-                Running::PlainTinyStatesDop853(sim((tiny, given), Dop853::new(rtol))?)
-            }
-            (Self::Tiny([tiny, _], Contents::PlainStates), Integrator::Rk4(h)) => {
-                Running::PlainTinyStatesRk4(sim((tiny, given), Rk4::new(h))?)
-            }
-            (Self::Tiny([tiny, _], Contents::Full), Integrator::Dop853(rtol)) => {
-                Running::TinyDop853(sim((tiny, given), Dop853::new(rtol))?)
-            }
-            (Self::Tiny([tiny, _], Contents::Full), Integrator::Rk4(h)) => {
-                Running::TinyRk4(sim((tiny, given), Rk4::new(h))?)
-            }
-            (Self::Small(small, Contents::Plain), Integrator::Dop853(rtol)) => {
-                Running::PlainSmallDop853(sim((small, given), Dop853::new(rtol))?)
-            }
-            (Self::Small(small, Contents::Plain), Integrator::Rk4(h)) => {
-                Running::PlainSmallRk4(sim((small, given), Rk4::new(h))?)
-            }
-            (Self::Tiny([_, small], _) | Self::Small(small, _), method) => {
-                let start: <Small as Mechanism>::State = started(small, given)?;
-                Running::Small(Box::new(method.of(start)))
-            }
-            (Self::Large(large), Integrator::Dop853(rtol)) => {
-                Running::LargeDop853(sim((large, given), Dop853::new(rtol))?)
-            }
-            (Self::Large(large), Integrator::Rk4(h)) => Running::LargeRk4(sim((large, given), Rk4::new(h))?),
-            (Self::Large(_), _) => return Err(Error::Method("Dop853 and Rk4")),
+            Self::Small(small, Contents::Full) => Running::Small(sim((small, given), method)?),
+            Self::Large(large) => Running::Large(sim((large, given), method)?),
         })
     }
 }
-
-/// A simulation by a method.
-type Boxed<M, I> = Box<Sim<M, I>>;
 
 fn sim<
     const NQ: usize,
@@ -216,12 +189,11 @@ fn sim<
     const H: usize,
     const R: usize,
     const P: usize,
-    I: Method<Dynamic<f64, NQ, NC, N, L, H, R, P>>,
 >(
     (model, given): (&'static Model, &Given),
-    method: I,
-) -> Result<Boxed<Dynamic<f64, NQ, NC, N, L, H, R, P>, I>, Fault> {
-    Ok(Box::new(Sim::new(started(model, given)?, method)))
+    method: Integrator,
+) -> Result<Box<AnySim<Dynamic<f64, NQ, NC, N, L, H, R, P>>>, Fault> {
+    Ok(Box::new(method.of(started(model, given)?)))
 }
 
 /// A start with the values that are given.

@@ -72,7 +72,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
             if run.by() == choice.by {
                 run.take(&choice);
             } else {
-                let mut looked_at = *run;
+                let mut looked_at = run.clone();
                 if self.is_changed {
                     // A new run takes its parameters for checked ones.
                     looked_at.step_to(looked_at.state().time())?;
@@ -129,7 +129,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
 
     fn advance(&mut self, step: impl FnOnce(&mut R) -> Result<(), Fault>) -> Result<(), Error> {
         let run = self.run.as_mut().ok_or(Status::NotStarted)?;
-        let before = *run;
+        let before = run.clone();
         if let Err(fault) = step(run) {
             *run = before;
             return Err(fault.into());
@@ -269,7 +269,7 @@ impl<M: Foreign, R: Run<M>> ObjectBy<M, R> {
 
     /// Bytes of the run, saved; other ones once it has started.
     pub fn saved_size(&self) -> usize {
-        saved::size(*self)
+        saved::size(self.clone())
     }
 
     /// Writes everything that decides how the run goes on, for files and other processes; `bytes` are just as many as
@@ -343,7 +343,7 @@ impl<M: Foreign, R: Run<M>> InWords for ObjectBy<M, R> {
         words.flag(&mut self.is_changed);
         let mut has_started = self.run.is_some();
         words.flag(&mut has_started);
-        if let Some(other) = self.run.filter(|run| run.by() != self.choice.by) {
+        if let Some(other) = self.run.as_ref().filter(|run| run.by() != self.choice.by) {
             self.run = R::new(*other.state(), &self.choice);
         }
         match &mut self.run {

@@ -133,7 +133,7 @@ pub trait Chosen<M: Foreign>: Method<M> + InWords {
 }
 
 /// A run by one of several methods.
-pub trait Run<M: Foreign>: Copy + InWords {
+pub trait Run<M: Foreign>: Clone + InWords {
     /// The usual method, with which an object begins.
     const USUAL: By;
     /// A number of the methods and of their order: objects of other ones have other bytes.

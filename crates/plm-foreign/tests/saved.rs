@@ -96,7 +96,7 @@ fn goes_on_by<M: Foreign, R: Run<M>>(declared: M, value: f64, step: f64) -> Obje
     stranger.starts_mut().each(&mut |_, start| (start.value, start.locked) = (M::S::lit(f64::NAN), true));
     object.set_longest_step(M::S::lit(step)).unwrap();
     object.start().unwrap();
-    let mut copy = object;
+    let mut copy = object.clone();
     for k in 0..300 {
         if k % 10 == 0 {
             let bytes = saved(&object);

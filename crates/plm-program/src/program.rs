@@ -8,7 +8,6 @@ use std::time::Instant;
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_foreign::fmi::Exchanged;
 use plm_python::wheel::wheel;
-use plm_run::OnSim;
 use plm_runtime::described::pulls::WithPulls;
 use plm_runtime::{Described, Fault, Method, Moment, Sim, Statics};
 use plm_view::live::Module;
@@ -105,12 +104,12 @@ impl<M: Exchanged> Program<M> {
         options.apply(&mut self.mechanism)?;
         let method = options.method.unwrap_or_default();
         if let Some(port) = options.serve {
-            return method.start_at(self.mechanism, 0.0)?.then(Serve { options, port });
+            return Serve { options, port }.run(&mut method.start_at(self.mechanism, 0.0)?);
         }
         let until = options.until.unwrap_or(self.until);
         let usual = if self.every > 0.0 { self.every } else { until / SAMPLES };
         let every = options.every.unwrap_or(usual);
-        method.start_at(self.mechanism, 0.0)?.then(Record { options, until, every })
+        Record { options, until, every }.run(&mut method.start_at(self.mechanism, 0.0)?)
     }
 }
 
@@ -121,10 +120,8 @@ struct Record<'a> {
     every: f64,
 }
 
-impl<M: Described<S = f64>> OnSim<M> for Record<'_> {
-    type Output = Result<(), Box<dyn Error>>;
-
-    fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output {
+impl Record<'_> {
+    fn run<M: Described<S = f64>, I: Method<M>>(self, sim: &mut Sim<M, I>) -> Result<(), Box<dyn Error>> {
         self.options.apply_inputs(sim)?;
         let mut recorder = Recorder::observing_all(sim);
         let outcome = run(sim, &mut recorder, self.until, self.every);
@@ -144,10 +141,11 @@ struct Serve<'a> {
 /// Between rows of a served page, s; nearer where it is slow.
 const SERVED_EVERY: f64 = 0.01;
 
-impl<M: Described<S = f64> + Statics> OnSim<M> for Serve<'_> {
-    type Output = Result<(), Box<dyn Error>>;
-
-    fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> Self::Output {
+impl Serve<'_> {
+    fn run<M: Described<S = f64> + Statics, I: Method<M>>(
+        self,
+        sim: &mut Sim<M, I>,
+    ) -> Result<(), Box<dyn Error>> {
         self.options.apply_inputs(sim)?;
         let mut server = Server::start(sim, self.port)?;
         println!("serving {} (Ctrl+C ends it)", server.url());

@@ -2,12 +2,15 @@
 
 use std::str::FromStr;
 
-use plm_runtime::{Fault, Linear, Mechanism, Moment, Sim, System, methods};
+use plm_runtime::{Fault, Linear, Mechanism, Moment, Sim, methods};
 
-use crate::any_sim::AnySim;
+use crate::any_method::AnyMethod;
 use crate::mistake::{BadOption, nearest};
 
-/// Makes the enumeration, the table of names, and the way from a method to a run of it.
+/// A run by a method of [`Integrator`], which starts it.
+pub type AnySim<M> = Sim<M, AnyMethod<M>>;
+
+/// Makes the enumeration and the table of names.
 macro_rules! integrator {
     (by_error { $($a:ident ($i:literal, $c:literal, $m:ty, $t:literal, $rtol:literal, $d:literal, $w:literal))* }
      of_length { $($b:ident ($j:literal, $k:literal, $n:ty, $u:literal, $e:literal, $x:literal))* }) => {
@@ -32,18 +35,6 @@ macro_rules! integrator {
             $(Named { name: stringify!($b), number: $j, make: Integrator::$b, tolerance: None },)*
         ];
 
-        impl Integrator {
-            /// A run by this method that begins at a moment.
-            pub fn of<M>(self, state: M::State) -> AnySim<M>
-            where
-                M: Mechanism + Linear + System<S = f64>,
-            {
-                match self {
-                    $(Self::$a(rtol) => AnySim::$a(Sim::new(state, <$m>::new(rtol))),)*
-                    $(Self::$b(h) => AnySim::$b(Sim::new(state, <$n>::new(h))),)*
-                }
-            }
-        }
     };
 }
 
@@ -101,6 +92,16 @@ pub fn unknown(name: &str) -> BadOption {
 }
 
 impl Integrator {
+    /// The method itself, for a mechanism.
+    pub fn method<M: Linear>(self) -> AnyMethod<M> {
+        AnyMethod::of(self)
+    }
+
+    /// A run by this method that begins at a moment.
+    pub fn of<M: Mechanism + Linear>(self, state: M::State) -> AnySim<M> {
+        Sim::new(state, self.method())
+    }
+
     /// The names of all methods.
     pub fn names() -> impl Iterator<Item = &'static str> {
         NAMED.iter().map(|known| known.name)
@@ -129,9 +130,9 @@ impl Integrator {
     ///
     /// # Errors
     /// As [`Mechanism::start_at`].
-    pub fn start_at<M>(self, mechanism: M, time: f64) -> Result<AnySim<M>, Fault>
+    pub fn start_at<M>(self, mechanism: M, time: M::S) -> Result<AnySim<M>, Fault>
     where
-        M: Mechanism + Linear + System<S = f64>,
+        M: Mechanism + Linear,
     {
         let (held, x) = mechanism.start_state(time)?;
         Ok(self.of(M::State::new(mechanism, held, time, x)))

@@ -295,7 +295,7 @@ fn column(output: &Quantity) -> Column {
 /// Text of a method: `Dop853, relative tolerance 1e-9`.
 fn method<M: System, I: Method<M>>(method: &I) -> String {
     match method.tolerance() {
-        Some(tolerance) => format!("{}, relative tolerance {:e}", I::NAME, tolerance.to_f64()),
-        None => I::NAME.to_owned(),
+        Some(tolerance) => format!("{}, relative tolerance {:e}", method.name(), tolerance.to_f64()),
+        None => method.name().to_owned(),
     }
 }

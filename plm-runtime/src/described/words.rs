@@ -34,6 +34,9 @@ where
             M::State::new(own, held, time, x)
         };
         self.method.each(words);
+        if self.state.mechanism().contact_count() > 0 {
+            M::change_contact(self.state.in_place().held, self.method.change());
+        }
         self.detector.each(words);
         words.perhaps(&mut self.limits.energy_jump, M::S::ZERO, Words::number);
         words.flag(&mut self.limits.change_points);

@@ -31,9 +31,9 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
     /// True if no guard can leave its side in steps of a method: there are none, or only those of contact, whose modes the
     /// steps decide.
     #[inline]
-    pub(crate) fn has_none<M: System<S = S, G = G>, I: Method<M>>(system: &M, held: &M::U) -> bool {
+    pub(crate) fn has_none<M: System<S = S, G = G>>(system: &M, held: &M::U, change: Change) -> bool {
         let (rows, guards) = (system.contact_count(), system.guard_count());
-        let are_of_contact = I::CHANGE == Change::InSteps && rows > 0 && guards == guard_count(rows);
+        let are_of_contact = change == Change::InSteps && rows > 0 && guards == guard_count(rows);
         guards == 0 || are_of_contact && system.is_regular(held)
     }
 
@@ -42,12 +42,12 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
     #[inline]
     pub(crate) fn look_after<M: System<S = S, G = G>, I: Method<M>>(
         &mut self,
+        method: &I,
         context: &Context<'_, M>,
         history: &mut History<M>,
-        start: &Beginning<M>,
-        event: Event,
+        (start, event): (&Beginning<M>, Event),
     ) -> Result<Event, Fault> {
-        if I::DENSE || Self::has_none::<M, I>(context.system, &context.held) {
+        if method.is_dense() || Self::has_none(context.system, &context.held, method.change()) {
             return Ok(event);
         }
         let step = context.step((start.time, &start.x));

@@ -27,14 +27,14 @@ pub(super) struct Reached<M: System, I> {
     pub(super) state: Beginning<M>,
 }
 
-impl<M: System, I: Copy> Reached<M, I> {
+impl<M: System, I: Clone> Reached<M, I> {
     pub(super) fn of(method: &I, context: &Context<'_, M>) -> Self {
-        Self { method: *method, state: Beginning::of(context) }
+        Self { method: method.clone(), state: Beginning::of(context) }
     }
 
     /// Returns to them. Field by field: without optimisation a tuple would be a second copy of the method on the stack.
     pub(super) fn restore(&self, method: &mut I, context: &mut Context<'_, M>) {
-        *method = self.method;
+        method.clone_from(&self.method);
         context.time = self.state.time;
         context.held = self.state.held;
         context.x = self.state.x;
@@ -63,7 +63,7 @@ impl<M: System<S: Real>> History<M> {
         (method, system): (&I, &M),
         beginning: impl FnOnce() -> Beginning<M>,
     ) {
-        if I::DENSE {
+        if method.is_dense() {
             self.beginning = Some(beginning());
         }
         if let Some(counts) = &mut self.counts

@@ -166,7 +166,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         method: &mut I,
         context: &mut Context<'_, M>,
     ) -> Result<Event, Fault> {
-        if !I::DENSE || context.system.guard_count() == 0 && context.system.kink_count() == 0 {
+        if !method.is_dense() || context.system.guard_count() == 0 && context.system.kink_count() == 0 {
             method.advance(context)?;
             return Ok(Event::None);
         }
@@ -265,7 +265,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             }
             return self.switch_due(method, context, (None, step));
         }
-        if !I::DENSE {
+        if !method.is_dense() {
             return Ok(());
         }
         let (time, x) = (context.time, context.x);

@@ -52,9 +52,10 @@ impl<M: Pack<S = f64>, L: Lanes, I: Method<M>> Batch<M, L, I> {
     /// # Errors
     /// When one of them cannot be assembled.
     pub fn start(mechanisms: &[M; LANES], method: I) -> Result<Self, Fault> {
-        let mut sims = [mechanisms[0].start_with(method)?; LANES];
+        let first = mechanisms[0].start_with(method.clone())?;
+        let mut sims = array::from_fn(|_| first.clone());
         for (sim, mechanism) in sims.iter_mut().zip(mechanisms) {
-            *sim = mechanism.start_with(method)?;
+            *sim = mechanism.start_with(method.clone())?;
         }
         Ok(Self::new(sims))
     }

@@ -61,9 +61,9 @@ impl<'a, M: Pack<S = f64>, I: Method<M>> Lane<'a, M, I> {
         self.limits.energy_jump.is_none()
             && self.history.counts.is_none()
             && self.method.drift_check(system) == DriftCheck::Skip
-            && M::Rescue::nearness(&step, I::LENGTH) == Nearness::Regular
+            && M::Rescue::nearness(&step, self.method.length()) == Nearness::Regular
             && system.is_settled(*time, held, x)
-            && (Detector::has_none::<M, I>(system, held)
+            && (Detector::has_none::<M>(system, held, self.method.change())
                 || self.detector.excludes_events(self.history, &step))
     }
 
@@ -124,8 +124,7 @@ impl<M: Pack<S = f64>, F: Formula> Fixed<'_, M, F> {
             let [from, to] = &states();
             let step =
                 Step { system: *system, held, from: (time, from), to: (partition.next_time, to), health };
-            let length = <FixedStep<f64, F> as Method<M>>::LENGTH;
-            M::Rescue::nearness(&step, length) == Nearness::Regular
+            M::Rescue::nearness(&step, Method::<M>::length(&**method)) == Nearness::Regular
                 && !check.fails((*system, held), partition.next_time, to)
                 && detector.excludes_events(history, &step)
         };

@@ -37,25 +37,8 @@ impl<T, const N: usize> Lu<T, N> {
     where
         T: Entry<S>,
     {
-        let Self { rows, pivots, order: kept } = self;
-        let order = order.min(N);
-        *kept = order;
-        for k in 0..order {
-            let Some(pivot) = largest_below(rows, k, order) else { return false };
-            pivots[k] = pivot;
-            swap(rows, k, pivot);
-            let mut row = rows[k];
-            row[k] = row[k].reciprocal();
-            rows[k] = row;
-            for below in rows.iter_mut().take(order).skip(k + 1) {
-                let factor = below[k] * row[k];
-                below[k] = factor;
-                for (entry, above) in below.iter_mut().zip(&row).take(order).skip(k + 1) {
-                    *entry = entry.less_product(factor, *above);
-                }
-            }
-        }
-        true
+        self.order = order.min(N);
+        decompose(&mut self.rows, &mut self.pivots, self.order)
     }
 
     /// Solves A y = b in place; entries beyond the order are not read.
@@ -63,25 +46,63 @@ impl<T, const N: usize> Lu<T, N> {
     where
         T: Entry<S>,
     {
-        let order = self.order.min(N);
-        for (k, pivot) in self.pivots.iter().enumerate().take(order) {
-            swap(b, k, *pivot);
+        solve(&self.rows, &self.pivots, self.order, b);
+    }
+}
+
+/// Decomposes the leading `order` rows and columns of a matrix in its place, of which there are so many; false if a column has no pivot.
+#[inline]
+#[must_use]
+pub fn decompose<S: Real, T: Entry<S>, const N: usize>(
+    rows: &mut [[T; N]],
+    pivots: &mut [usize],
+    order: usize,
+) -> bool {
+    let order = order.min(N).min(rows.len());
+    for (k, own) in pivots.iter_mut().enumerate().take(order) {
+        let Some(pivot) = largest_below(rows, k, order) else { return false };
+        *own = pivot;
+        swap(rows, k, pivot);
+        let mut row = rows[k];
+        row[k] = row[k].reciprocal();
+        rows[k] = row;
+        for below in rows.iter_mut().take(order).skip(k + 1) {
+            let factor = below[k] * row[k];
+            below[k] = factor;
+            for (entry, above) in below.iter_mut().zip(&row).take(order).skip(k + 1) {
+                *entry = entry.less_product(factor, *above);
+            }
         }
-        for k in 1..order {
-            let known = b.iter().zip(&self.rows[k]).take(k);
-            b[k] = known.fold(b[k], |rest, (y, factor)| rest.less_product(*factor, *y));
-        }
-        for k in (0..order).rev() {
-            let row = &self.rows[k];
-            let known = b.iter().zip(row).take(order).skip(k + 1);
-            b[k] = known.fold(b[k], |rest, (y, factor)| rest.less_product(*factor, *y)) * row[k];
-        }
+    }
+    true
+}
+
+/// Solves A y = b in place, with what [`decompose`] has made; entries beyond the order are not read.
+#[inline]
+pub fn solve<S: Real, T: Entry<S>, const N: usize>(
+    rows: &[[T; N]],
+    pivots: &[usize],
+    order: usize,
+    b: &mut [T; N],
+) {
+    let order = order.min(N).min(rows.len());
+    for (k, pivot) in pivots.iter().enumerate().take(order) {
+        swap(b, k, *pivot);
+    }
+    for k in 1..order {
+        let known = b.iter().zip(&rows[k]).take(k);
+        b[k] = known.fold(b[k], |rest, (y, factor)| rest.less_product(*factor, *y));
+    }
+    for k in (0..order).rev() {
+        let row = &rows[k];
+        let known = b.iter().zip(row).take(order).skip(k + 1);
+        b[k] = known.fold(b[k], |rest, (y, factor)| rest.less_product(*factor, *y)) * row[k];
     }
 }
 
 /// The row from `k` on that has the largest entry in column `k`; none if that is zero or not finite.
 fn largest_below<S: Real, T: Entry<S>, const N: usize>(
-    rows: &[[T; N]; N],
+    rows: &[[T; N]],
     k: usize,
     order: usize,
 ) -> Option<usize> {
@@ -99,7 +120,7 @@ fn largest_below<S: Real, T: Entry<S>, const N: usize>(
 }
 
 /// Exchanges two entries; nothing happens beyond the end.
-fn swap<T: Copy, const N: usize>(entries: &mut [T; N], a: usize, b: usize) {
+fn swap<T: Copy>(entries: &mut [T], a: usize, b: usize) {
     if let (Some(first), Some(second)) = (entries.get(a).copied(), entries.get(b).copied()) {
         if let Some(place) = entries.get_mut(a) {
             *place = second;

@@ -86,9 +86,9 @@ impl<S: Real, X: Dense<S>, A: Derivatives<S, X>, B: Derivatives<S, X>> Derivativ
 
     /// Both forms, of which the unused one is zero.
     fn in_words(&mut self, words: &mut impl Words) {
-        let (mut is_full, mut sparse, mut full) = match *self {
-            Mixed::Sparse(sparse) => (false, sparse, B::zeros()),
-            Mixed::Full(full) => (true, A::zeros(), full),
+        let (mut is_full, mut sparse, mut full) = match self {
+            Mixed::Sparse(sparse) => (false, sparse.clone(), B::zeros()),
+            Mixed::Full(full) => (true, A::zeros(), full.clone()),
         };
         words.flag(&mut is_full);
         sparse.in_words(words);

@@ -20,9 +20,9 @@ pub trait Dense<S: Real>: Vector<S> {
 }
 
 /// Derivatives of a rate over vectors `X`, in a form in which (lambda I - J) k = r is solved.
-pub trait Derivatives<S: Real, X: Dense<S>>: Copy {
+pub trait Derivatives<S: Real, X: Dense<S>>: Clone {
     /// A decomposed lambda I - J.
-    type Resolvent<T: Entry<S>>: Copy;
+    type Resolvent<T: Entry<S>>: Clone;
 
     /// All zeros.
     fn zeros() -> Self;

@@ -180,7 +180,7 @@ impl<S: Real, P: Patterned, X: Dense<S>, const C: usize, const E: usize, const U
 }
 
 /// The entry at a place; zero beyond the end.
-pub(super) fn at<S: Real, T: Entry<S>>(entries: &[T], place: u32) -> T {
+pub fn at<S: Real, T: Entry<S>>(entries: &[T], place: u32) -> T {
     entries.get(place as usize).copied().unwrap_or(T::real(S::ZERO))
 }
 
@@ -193,7 +193,7 @@ fn part<T>(list: &[T], [from, to]: [u32; 2]) -> &[T] {
 /// finite. `made_of`, zeros at first, has room for as many numbers as there are unknowns.
 #[inline]
 #[must_use]
-pub(super) fn decompose<S: Real, T: Entry<S>>(
+pub fn decompose<S: Real, T: Entry<S>>(
     (pattern, coefficients): (&Pattern, &[S]),
     (lambda, inverse): (T, T),
     entries: &mut [T],
@@ -244,7 +244,8 @@ fn eliminate<S: Real, T: Entry<S>>(pattern: &Pattern, entries: &mut [T], made_of
 }
 
 /// Room for a solution, zeros at first.
-pub(super) struct Work<'a, T> {
+#[derive(Debug)]
+pub struct Work<'a, T> {
     /// Of each coordinate r_q, and the factor of the coefficients of its position.
     of_positions: [&'a mut [T]; 2],
     /// Factors of the coefficients of second derivatives and rates.
@@ -255,17 +256,14 @@ pub(super) struct Work<'a, T> {
 
 impl<'a, T> Work<'a, T> {
     /// In arrays.
-    pub(super) fn of<const K: usize>(
-        [r_q, by_position, by_rate]: &'a mut [[T; K]; 3],
-        b: &'a mut [T],
-    ) -> Self {
+    pub fn of<const K: usize>([r_q, by_position, by_rate]: &'a mut [[T; K]; 3], b: &'a mut [T]) -> Self {
         Work { of_positions: [r_q, by_position], by_rate, b }
     }
 }
 
 /// Solves an eliminated system of these entries, where `inverse` is 1 / lambda.
 #[inline]
-pub(super) fn solve<S: Real, T: Entry<S>>(
+pub fn solve<S: Real, T: Entry<S>>(
     (pattern, coefficients): (&Pattern, &[S]),
     (entry, inverse): (impl Fn(u32) -> T, T),
     nq: usize,

@@ -13,14 +13,23 @@ use crate::vector::Vector;
 /// The protocol does the rest: it judges each step, projects its end, ends it at events, splits or repeats it near singular poses, and
 /// commits it. A method with error control implements [`ErrorControl`], one whose steps the user chooses [`FixedLength`]; the other
 /// trait is left empty.
-pub trait Method<M: System>: Copy + DenseOutput<M> + ErrorControl<M> + FixedLength<M> {
+pub trait Method<M: System>: Clone + DenseOutput<M> + ErrorControl<M> + FixedLength<M> {
     /// Name of the method in results.
-    const NAME: &'static str = "";
+    fn name(&self) -> &'static str {
+        ""
+    }
+
     /// The choice of step lengths: by an estimate of the error, or by the user.
-    const LENGTH: Length = if Self::DENSE { Length::Error } else { Length::Fixed { caution: 1.0 } };
+    #[inline]
+    fn length(&self) -> Length {
+        if self.is_dense() { Length::Error } else { Length::Fixed { caution: 1.0 } }
+    }
 
     /// Times at which the modes of contact rows change: at events that are located, or in its steps.
-    const CHANGE: Change = Change::AtEvents;
+    #[inline]
+    fn change(&self) -> Change {
+        Change::AtEvents
+    }
 
     /// Divides the interval from `context.time` to `context.end` into steps.
     ///
@@ -57,7 +66,10 @@ pub trait Method<M: System>: Copy + DenseOutput<M> + ErrorControl<M> + FixedLeng
 /// States within the last step.
 pub trait DenseOutput<M: System> {
     /// True if there are any; otherwise the defaults of this trait apply.
-    const DENSE: bool = false;
+    #[inline]
+    fn is_dense(&self) -> bool {
+        false
+    }
 
     /// Computes the data that [`interpolate`](Self::interpolate) needs beyond those of the step; it may be called again.
     ///
@@ -126,7 +138,10 @@ pub trait ErrorControl<M: System> {
 /// Steps whose length the user chooses.
 pub trait FixedLength<M: System>: Sized {
     /// True if [`fast_step`](Self::fast_step) may make an interval.
-    const FAST: bool = false;
+    #[inline]
+    fn is_fast(&self) -> bool {
+        false
+    }
 
     /// Advances the state `x` over an interval between two times by the formula alone, as [`Method::advance`] would before it checks
     /// the step. `None` if that takes more than one step, or if the step is not healthy; `x` is invalid then. The method is unchanged.

@@ -200,7 +200,10 @@ fn estimate<F: Formula, M: System<S: Real>>(
 }
 
 impl<M: System<S: Real>, F: Formula> Method<M> for FixedStep<M::S, F> {
-    const NAME: &'static str = F::NAME;
+    #[inline]
+    fn name(&self) -> &'static str {
+        F::NAME
+    }
 
     fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         self.partition = Partition::of_interval(context, self.longest_step)?;
@@ -236,7 +239,10 @@ impl<M: System<S: Real>, F: Formula> DenseOutput<M> for FixedStep<M::S, F> {}
 impl<M: System<S: Real>, F: Formula> ErrorControl<M> for FixedStep<M::S, F> {}
 
 impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
-    const FAST: bool = true;
+    #[inline]
+    fn is_fast(&self) -> bool {
+        true
+    }
 
     #[inline]
     fn fast_step(

@@ -124,9 +124,19 @@ impl<S: Real, const EVALUATIONS: usize> MoreauJean<S, EVALUATIONS> {
 }
 
 impl<M: System<S: Real>, const EVALUATIONS: usize> Method<M> for MoreauJean<M::S, EVALUATIONS> {
-    const NAME: &'static str = "MoreauJean";
-    const LENGTH: Length = Length::Fixed { caution: 1.0 };
-    const CHANGE: Change = Change::InSteps;
+    #[inline]
+    fn name(&self) -> &'static str {
+        "MoreauJean"
+    }
+    #[inline]
+    fn length(&self) -> Length {
+        Length::Fixed { caution: 1.0 }
+    }
+
+    #[inline]
+    fn change(&self) -> Change {
+        Change::InSteps
+    }
 
     fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         self.partition = Partition::of_interval(context, self.longest_step)?;

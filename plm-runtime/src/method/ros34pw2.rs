@@ -192,8 +192,15 @@ fn step<M: Linear>(context: &mut Context<'_, M>, h: M::S) -> Result<Trial<M::X>,
 }
 
 impl<M: Linear> Method<M> for Ros34Pw2<M::S> {
-    const NAME: &'static str = "Ros34Pw2";
-    const LENGTH: Length = Length::Fixed { caution: 4.0 };
+    #[inline]
+    fn name(&self) -> &'static str {
+        "Ros34Pw2"
+    }
+
+    #[inline]
+    fn length(&self) -> Length {
+        Length::Fixed { caution: 4.0 }
+    }
 
     fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         self.partition = Partition::of_interval(context, self.longest_step)?;

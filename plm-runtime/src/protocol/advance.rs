@@ -130,7 +130,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     /// Proposes a step, and carries out the judge's verdict.
     #[inline]
     pub(crate) fn step(&mut self) -> Made<M::S> {
-        if const { Self::COASTS } {
+        if self.coasts() {
             return self.coast();
         }
         let Self { method, context, guarded, .. } = self;
@@ -151,7 +151,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
     /// Carries out the judge's verdict on the proposed step, from its beginning to the state reached.
     pub(crate) fn conclude(&mut self, from: &Beginning<M>, event: Event) -> Made<M::S> {
         let Self { method, context, guarded, .. } = self;
-        let (length, limits) = (I::LENGTH, guarded.limits);
+        let (length, limits) = (method.length(), guarded.limits);
         let mut rules = Rules { length, drift: method.drift_check(context.system), limits };
         let mut drifted = false;
         let (mut held, mut x) = (context.held, context.x);
@@ -185,7 +185,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
                 }
             }
         };
-        match guarded.detector.look_after::<M, I>(context, guarded.history, from, event) {
+        match guarded.detector.look_after(&**method, context, guarded.history, (from, event)) {
             Ok(event) => match self.change(from, &event) {
                 Some(cut) => {
                     self.refuse(from);

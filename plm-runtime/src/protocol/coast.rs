@@ -14,7 +14,10 @@ use crate::scalar::Scalar;
 
 impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
     /// True if the steps of the method are made by [`coast`](Self::coast).
-    pub(super) const COASTS: bool = I::FAST && !I::DENSE && M::SETTLES;
+    #[inline]
+    pub(super) fn coasts(&self) -> bool {
+        M::SETTLES && self.method.is_fast() && !self.method.is_dense()
+    }
 
     /// Proposes a step of fixed length, and commits it in place if the judge would accept it without any change.
     #[inline]
@@ -48,10 +51,10 @@ impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
         self.guarded.limits.energy_jump.is_none()
             && history.counts.is_none()
             && !self.method.drift_check(context.system).fails(all, context.time, &context.x)
-            && M::Rescue::nearness(&step, I::LENGTH) == Nearness::Regular
+            && M::Rescue::nearness(&step, self.method.length()) == Nearness::Regular
             && context.system.is_settled(context.time, &context.held, &context.x)
             && !self.method.estimate().is_senseless()
-            && (Detector::has_none::<M, I>(context.system, &context.held)
+            && (Detector::has_none(context.system, &context.held, self.method.change())
                 || detector.excludes_events(history, &step))
     }
 }

@@ -36,7 +36,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             error = estimate.error;
         }
         let limits = Limits { energy_jump: None, ..*limits };
-        let mut rules = Rules { length: I::LENGTH, drift: method.drift_check(system), limits };
+        let mut rules = Rules { length: method.length(), drift: method.drift_check(system), limits };
         let drifted = rules.drift.fails((system, &held), end, &x);
         if drifted && system.project(end, &held, &mut x).is_err() {
             return false;

@@ -28,10 +28,11 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
     /// unknown: after a change by the caller, and with methods without dense output. For a later time, those of
     /// [`step_to`](Self::step_to).
     pub fn at(&self, time: M::S) -> Result<M::State, Fault> {
-        let mut other = *self;
+        let mut other = self.clone();
         let now = self.state.time();
         if time < now {
-            let beginning = self.history.beginning.filter(|beginning| I::DENSE && beginning.time <= time);
+            let beginning =
+                self.history.beginning.filter(|beginning| self.method.is_dense() && beginning.time <= time);
             return other.go_back(beginning.ok_or_else(|| self.bad_interval(time - now))?, time);
         }
         other.step_to(time)?;

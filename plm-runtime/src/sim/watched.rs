@@ -114,10 +114,10 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
         goes_on: &mut dyn FnMut(M::S) -> bool,
     ) -> Result<(), Fault> {
         // Without dense output the run stops at its communication points, after the events there.
-        let within = if I::DENSE { times } else { Times { last: M::S::ZERO, ..times } };
+        let within = if this.method.is_dense() { times } else { Times { last: M::S::ZERO, ..times } };
         let samples = Samples { times: within, next, moment: this.state };
         let mut watcher: Watcher<M, STEPS> = Watcher { samples, see, asked: Asked(goes_on) };
-        if !I::DENSE {
+        if !this.method.is_dense() {
             let mut k = next;
             while k <= times.last {
                 this.advance(times.at(k), times.every, &mut watcher)?;

@@ -180,7 +180,10 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
 impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> Method<M>
     for NearSingular<M, NQ, NC, NX>
 {
-    const LENGTH: Length = Length::NearSingular;
+    #[inline]
+    fn length(&self) -> Length {
+        Length::NearSingular
+    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         (self.passed, self.followed) = (None, None);
@@ -248,7 +251,10 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
 impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize> DenseOutput<M>
     for NearSingular<M, NQ, NC, NX>
 {
-    const DENSE: bool = true;
+    #[inline]
+    fn is_dense(&self) -> bool {
+        true
+    }
 
     fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if self.over.is_some() {

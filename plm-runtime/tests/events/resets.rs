@@ -72,7 +72,7 @@ impl Ball {
 fn a_ball_bounces(method: impl Method<Ball>, tolerance: f64) {
     for restitution in [1.0, 0.9, 0.5] {
         let ball = Ball { restitution };
-        let mut sim = ball.start_with(method).unwrap();
+        let mut sim = ball.start_with(method.clone()).unwrap();
         for k in 1..=60 {
             let time = 0.02 * f64::from(k);
             sim.step_to(time).unwrap();

@@ -28,7 +28,7 @@ fn samples_cost_the_extra_stages_only_where_they_are() {
 
 fn cost_so_many_stages(stages: u64, method: impl Method<Oscillator<f64>>) {
     let run = |every: f64| {
-        let mut sim = oscillator().start_with(method).unwrap();
+        let mut sim = oscillator().start_with(method.clone()).unwrap();
         sim.run(2.0, every, |_| ()).unwrap();
         (sim.x, sim.stats())
     };

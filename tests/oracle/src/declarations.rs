@@ -190,7 +190,6 @@ fn judged(scene: &Scene, formulation: usize, way: Way, pace: &Pace) -> Verdict {
     };
     let others: Vec<_> = others.into_iter().map(|method| run(machine, method, pace, reference)).collect();
     match run(machine, method, pace, reference) {
-        Err(error @ Error::Method(_)) => Verdict::Stopped(error.to_string()),
         Err(Error::Fault(fault)) => stopped(reference, way, fault),
         Err(error) => Verdict::Wrong(error.to_string()),
         Ok(went) => compared(machine, reference, way, pace, &went, &others),
@@ -204,7 +203,6 @@ fn without(scene: &Scene, formulation: usize, way: Way, error: &Error) -> Verdic
         (Error::NotGiven(_) | Error::Refused(_), _) | (_, Err(Error::Refused(_))) => {
             Verdict::Undecided(error.to_string())
         }
-        (_, Err(own @ Error::Method(_))) => Verdict::Stopped(own.to_string()),
         (Error::Fault(other), Err(Error::Fault(own))) if is_same(&own, other) => {
             Verdict::Stopped(own.to_string())
         }

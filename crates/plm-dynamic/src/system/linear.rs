@@ -1,10 +1,11 @@
 //! Derivatives of the rate.
 
 use plm_runtime::charts::OfLoops;
-use plm_runtime::linalg::{AtRunTime, Derivatives};
+use plm_runtime::linalg::Derivatives;
 use plm_runtime::{Dual, Health, Linear, Rate, Real, Vector, absolute, contact, linear};
 
 use crate::augmented::Augmented;
+use crate::derivatives::AtRunTime;
 use crate::handle::{Beside, Dynamic, Frame, Held};
 
 impl<
@@ -52,6 +53,8 @@ impl<
         by_t: Option<&mut [S; N]>,
     ) -> Health<S> {
         let Some(Augmented { coefficients, pattern, .. }) = self.augmented() else {
+            let coordinates = self.coordinates();
+            by_x.fill(coordinates, self.states() - 2 * coordinates);
             let Some(matrix) = by_x.full() else { return Health(S::lit(f64::NAN)) };
             return self.jacobian(t, u, x, matrix, by_t);
         };

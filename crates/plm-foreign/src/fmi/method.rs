@@ -253,7 +253,7 @@ pub(super) fn first_event<M: Exchanged, I: Method<M>>(
     sim: &Sim<M, I>,
     until: f64,
 ) -> Result<Option<f64>, Fault> {
-    let (now, mut ahead, mut event) = (sim.state().time(), *sim, None);
+    let (now, mut ahead, mut event) = (sim.state().time(), sim.clone(), None);
     let outcome = Sim::watch(&mut ahead, until, until - now, |seen| {
         if let Seen::Switched(state) = seen {
             event = event.or(Some(state.time()).filter(|time| *time > now && *time < until));

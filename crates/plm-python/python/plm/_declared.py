@@ -273,7 +273,7 @@ class Mechanism:
     ) -> Gradient:
         """Outputs over the time and their derivatives by parameters, inputs and start values, by a run on dual numbers for each.
 
-        They are exact but for the error of the method. Mechanisms of up to 8 bodies have them, by "dop853" and "rk4".
+        They are exact but for the error of the method. Every mechanism and every method has them.
         """
         of = ("parameter", self.parameters, parameters), ("start value", self.starts, start), ("input", self.inputs, inputs)
         numbers = [

@@ -10,10 +10,10 @@ mod state;
 mod words;
 
 use plm_foreign::{Error, Kind, Status};
-use plm_run::{AnySim, OnSim};
+use plm_run::AnySim;
 use plm_runtime::described::by_number;
 use plm_runtime::held::Discrete;
-use plm_runtime::{Described, Linear, Method, Moment, Sim, StartValues, Statics};
+use plm_runtime::{Described, Linear, Moment, StartValues, Statics};
 
 pub use method::method;
 pub use plm_run::{BadOption, Integrator};
@@ -76,18 +76,7 @@ impl<M: Runnable> Run<M> {
 
 impl<M: Runnable> Running for Run<M> {
     fn then<W: Work>(&mut self, work: W) -> W::Output {
-        self.0.then(OnCompiled(work))
-    }
-}
-
-/// Work on a run of a compiled mechanism.
-struct OnCompiled<W>(W);
-
-impl<M: Runnable, W: Work> OnSim<M> for OnCompiled<W> {
-    type Output = W::Output;
-
-    fn on<I: Method<M>>(self, sim: &mut Sim<M, I>) -> W::Output {
-        self.0.on(sim)
+        work.on(&mut *self.0)
     }
 }
 

@@ -46,7 +46,7 @@ work!(Set { kind: Kind, index: usize, value: f64 } -> Result<bool, Fault>, |sim|
     _ => state::set_first_order(sim, index, value),
 });
 work!(Step<'a> { dt: f64, goes_on: &'a mut dyn FnMut(f64) -> bool } -> Result<(), Fault>, |sim| {
-    let before = *sim;
+    let before = sim.clone();
     Sim::step_while(sim, dt, goes_on).inspect_err(|_| *sim = before)
 });
 work!(Recorded<'a> { asked: Asked<'a>, goes_on: &'a mut dyn FnMut(f64) -> bool } -> (Record, Result<(), Fault>), |sim| {

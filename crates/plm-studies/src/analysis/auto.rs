@@ -176,7 +176,7 @@ impl fmt::Display for Choice {
 }
 
 /// The method that was chosen.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Auto<M: Linear> {
     method: Chosen<M>,
     choice: Choice,
@@ -188,7 +188,7 @@ impl<M: Linear> fmt::Debug for Auto<M> {
     }
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 enum Chosen<M: Linear> {
     Explicit(Dop853<M>),
     NinthOrder(Vern9<M>),
@@ -238,7 +238,10 @@ macro_rules! whichever {
 }
 
 impl<M: Linear<S = f64> + Copy> Method<M> for Auto<M> {
-    const NAME: &'static str = "Auto";
+    #[inline]
+    fn name(&self) -> &'static str {
+        "Auto"
+    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         whichever!(mut self, method => method.advance(context))
@@ -264,7 +267,10 @@ impl<M: Linear<S = f64> + Copy> Method<M> for Auto<M> {
 }
 
 impl<M: Linear<S = f64> + Copy> DenseOutput<M> for Auto<M> {
-    const DENSE: bool = true;
+    #[inline]
+    fn is_dense(&self) -> bool {
+        true
+    }
     fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         whichever!(mut self, method => method.densify(context))
     }

@@ -106,7 +106,7 @@ impl Schedule<'_> {
         let due = |next: usize, until: f64| self.samples.get(next).copied().filter(|time| *time <= until);
         while sim.state().time().to_f64() < stop {
             let end = numbers.time(stop);
-            if !I::DENSE || due(*next, stop).is_none_or(|time| time >= stop) {
+            if !sim.method().is_dense() || due(*next, stop).is_none_or(|time| time >= stop) {
                 // Nothing is to be seen on the way, or only at ends of steps.
                 let until = due(*next, stop).unwrap_or(stop);
                 sim.step_to(if until < stop { numbers.time(until) } else { end })?;

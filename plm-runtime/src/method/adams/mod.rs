@@ -227,7 +227,10 @@ impl<M: System<S: Real>> Past<M> {
 }
 
 impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
-    const NAME: &'static str = "Adams";
+    #[inline]
+    fn name(&self) -> &'static str {
+        "Adams"
+    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if self.forgotten {
@@ -257,7 +260,10 @@ impl<M: System<S: Real> + Copy> Method<M> for Adams<M> {
 }
 
 impl<M: System<S: Real> + Copy> DenseOutput<M> for Adams<M> {
-    const DENSE: bool = true;
+    #[inline]
+    fn is_dense(&self) -> bool {
+        true
+    }
 
     fn densify(&mut self, _context: &mut Context<'_, M>) -> Result<(), Fault> {
         if let (Some(span), None) = (&self.span, &self.path) {

@@ -225,7 +225,10 @@ pub(crate) fn weight<T: Scalar>(rtol: T, typical: T, [from, to]: [T; 2]) -> T {
 }
 
 impl<M: System<S: Real> + Copy, P: Pair> Method<M> for Embedded<M, P> {
-    const NAME: &'static str = P::NAME;
+    #[inline]
+    fn name(&self) -> &'static str {
+        P::NAME
+    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if self.rate.is_none() && context.system.may_bend() {

@@ -19,7 +19,10 @@ impl<M: System<S: Real>, P: Pair> Embedded<M, P> {
 }
 
 impl<M: System<S: Real> + Copy, P: Pair> DenseOutput<M> for Embedded<M, P> {
-    const DENSE: bool = true;
+    #[inline]
+    fn is_dense(&self) -> bool {
+        true
+    }
 
     fn densify(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         if let (Some(step), Some(k), None) = (self.seen(), &self.stages, &self.bends) {

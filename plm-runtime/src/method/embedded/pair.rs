@@ -9,7 +9,7 @@ use crate::vector::Vector;
 
 /// Two explicit Runge-Kutta formulas on common stages: one gives the state, their difference its error.
 pub trait Pair: Copy + Debug {
-    /// [`Method::NAME`](crate::Method::NAME) of the method.
+    /// [`Method::name`](crate::Method::name) of the method.
     const NAME: &'static str = "";
     /// Order of the formula that the steps are continued with.
     const ORDER: u32;

@@ -9,7 +9,7 @@ use crate::system::{Health, OneStep, Rate, System};
 
 /// The formula of a fixed-step method.
 pub trait Formula: Copy {
-    /// [`Method::NAME`](crate::Method::NAME) of the method.
+    /// [`Method::name`](crate::Method::name) of the method.
     const NAME: &'static str = "";
     /// Number of rates per step.
     const STAGES: u64;

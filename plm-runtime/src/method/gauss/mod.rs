@@ -205,7 +205,10 @@ impl<M: System<S: Real> + Copy, const STAGES: usize> Method<M> for Gauss<M, STAG
 where
     Legendre: Nodes<STAGES>,
 {
-    const NAME: &'static str = "Gauss";
+    #[inline]
+    fn name(&self) -> &'static str {
+        "Gauss"
+    }
 
     fn begin(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         self.partition = Partition::of_interval(context, self.longest_step)?;

@@ -28,7 +28,7 @@ use crate::vector::Vector;
 /// that reuses the derivatives while it converges fast, one real and one complex decomposition, an error estimate of order 3.
 /// Its norm is the root mean square of error_i / (rtol' (typical_i + |x_i|)) with rtol' = 0.1 rtol^(2/3), which makes the error
 /// of the solution about rtol. A state that drifted by a tenth of rtol is projected, and the dense output ends there.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct RadauIia5<M: Linear> {
     /// Relative tolerance; the absolute one of each state is this times its typical size.
     pub rtol: M::S,
@@ -106,10 +106,10 @@ impl<M: Linear> RadauIia5<M> {
             steady: Steady::new(),
             convergence: Convergence::new(),
             rate: None,
+            factors: Factors::room(&by_x),
             by_x,
             by_x_known: false,
             by_x_here: false,
-            factors: Factors::room(&by_x),
             dense: None,
             projection: Projection::new(),
             worst: 0,
@@ -244,7 +244,10 @@ impl<M: Linear> RadauIia5<M> {
 }
 
 impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
-    const NAME: &'static str = "RadauIia5";
+    #[inline]
+    fn name(&self) -> &'static str {
+        "RadauIia5"
+    }
 
     fn advance(&mut self, context: &mut Context<'_, M>) -> Result<(), Fault> {
         let rate = rate_here(&mut self.rate, context)?;
@@ -306,7 +309,10 @@ impl<M: Linear + Copy> Method<M> for RadauIia5<M> {
 }
 
 impl<M: Linear + Copy> DenseOutput<M> for RadauIia5<M> {
-    const DENSE: bool = true;
+    #[inline]
+    fn is_dense(&self) -> bool {
+        true
+    }
 
     fn interpolate(&self, time: M::S) -> M::X {
         self.dense.map_or(M::X::fill(M::S::ZERO), |dense| dense.at(time))

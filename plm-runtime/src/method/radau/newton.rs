@@ -23,7 +23,7 @@ const ULPS: f64 = 64.0;
 const SHRINKS: f64 = 0.5;
 
 /// Decomposed matrices gamma/h I - J and (alpha + i beta)/h I - J.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(super) struct Factors<M: Linear> {
     /// Length of the steps for which they are.
     pub(super) h: M::S,

@@ -108,7 +108,7 @@ impl<M: Mechanism<S = f64> + Ports> Formulation<'_, M> {
 
 /// Runs a copy of an assembled simulation to the end.
 fn one_run<M: Mechanism<S = f64> + Ports, I: Method<M>>(start: &Sim<M, I>, until: f64) -> Result<Run, Fault> {
-    let mut sim = black_box(*start);
+    let mut sim = black_box(start.clone());
     let begin = Instant::now();
     sim.step(until)?;
     let seconds = begin.elapsed().as_secs_f64();
