@@ -25,6 +25,8 @@ pub struct Stats {
     pub change_points: u64,
     /// Steps near singular poses, where no chart is good: without charts and in numbers of twice the precision.
     pub near_singular: u64,
+    /// Steps of fixed length that were made in parts, because they were too long for the loops or for a turn near a flat pose.
+    pub divided: u64,
     /// Conditions that switched, and known times that were passed.
     pub switches: u64,
     /// Conditions that came and went within a step of a method without dense output, and were passed over.

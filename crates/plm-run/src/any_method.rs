@@ -158,6 +158,10 @@ impl<M: Linear + Copy> FixedLength<M> for AnyMethod<M> {
         methods!(each [self, method => method.fast_step(of, times, x)])
     }
 
+    fn next_time(&self) -> Option<M::S> {
+        methods!(each [self, method => FixedLength::<M>::next_time(method)])
+    }
+
     fn estimate(&self) -> Estimate<M::S> {
         methods!(each [self, method => FixedLength::<M>::estimate(method)])
     }

@@ -156,6 +156,12 @@ pub trait FixedLength<M: System>: Sized {
         None
     }
 
+    /// Time at which the step ends that is to be made next; `None` if an estimate of the error chooses the steps.
+    #[inline]
+    fn next_time(&self) -> Option<M::S> {
+        None
+    }
+
     /// Error of the last step: zero if it is too small to be estimated, and for steps with error control.
     fn estimate(&self) -> Estimate<M::S> {
         Estimate::NONE

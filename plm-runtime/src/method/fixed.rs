@@ -240,6 +240,11 @@ impl<M: System<S: Real>, F: Formula> ErrorControl<M> for FixedStep<M::S, F> {}
 
 impl<M: System<S: Real>, F: Formula> FixedLength<M> for FixedStep<M::S, F> {
     #[inline]
+    fn next_time(&self) -> Option<M::S> {
+        Some(self.partition.next_time)
+    }
+
+    #[inline]
     fn is_fast(&self) -> bool {
         true
     }

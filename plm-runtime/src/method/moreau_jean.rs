@@ -176,6 +176,11 @@ impl<M: System<S: Real>, const EVALUATIONS: usize> DenseOutput<M> for MoreauJean
 impl<M: System<S: Real>, const EVALUATIONS: usize> ErrorControl<M> for MoreauJean<M::S, EVALUATIONS> {}
 
 impl<M: System<S: Real>, const EVALUATIONS: usize> FixedLength<M> for MoreauJean<M::S, EVALUATIONS> {
+    #[inline]
+    fn next_time(&self) -> Option<M::S> {
+        Some(self.partition.next_time)
+    }
+
     // With contact rows a step projects its joints itself.
     fn drift_check(&self, system: &M) -> DriftCheck<M::S> {
         if system.contact_count() > 0 {

@@ -243,6 +243,11 @@ impl<M: Linear> DenseOutput<M> for Ros34Pw2<M::S> {}
 impl<M: Linear> ErrorControl<M> for Ros34Pw2<M::S> {}
 
 impl<M: Linear> FixedLength<M> for Ros34Pw2<M::S> {
+    #[inline]
+    fn next_time(&self) -> Option<M::S> {
+        Some(self.partition.next_time)
+    }
+
     fn estimate(&self) -> Estimate<M::S> {
         self.estimate
     }

@@ -142,10 +142,22 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
     }
 
-    /// Returns to the start of a step that could not be made.
+    /// Returns to the start of a step that could not be made. One of fixed length is made in parts first: it leads far astray before a loop
+    /// is near a singular pose.
+    #[cold]
     pub(crate) fn fail(&mut self, from: &Beginning<M>, fault: Fault) -> Made<M::S> {
+        let reached = Some(self.context.time).filter(|time| *time > from.time);
         self.refuse(from);
-        Made::Failed(fault)
+        let until = self.method.next_time().map(|next| reached.unwrap_or(next));
+        match until.filter(|until| *until > from.time && Self::parts_help(&fault)) {
+            Some(until) => Made::Split(Parts { until, count: 2, fault: Some(fault) }),
+            None => Made::Failed(fault),
+        }
+    }
+
+    /// Can a step of fixed length with this fault be made in parts? Where no pose is singular, the length that errs too much is the user's.
+    fn parts_help(fault: &Fault) -> bool {
+        is_singular(fault) && (M::Rescue::POSSIBLE || !matches!(fault.cause, Cause::StepTooLong { .. }))
     }
 
     /// Carries out the judge's verdict on the proposed step, from its beginning to the state reached.
@@ -169,7 +181,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
                 Verdict::Split(count) => {
                     let until = context.time;
                     self.refuse(from);
-                    return Made::Split(Parts { until, count });
+                    return Made::Split(Parts { until, count, fault: None });
                 }
                 Verdict::NearSingular => {
                     let until = context.time;
@@ -281,7 +293,12 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             self.method.restart();
         }
         if !(has_shorter && is_long) {
-            return Made::Failed(fault);
+            let helps = self.method.next_time().is_some() && Self::parts_help(&fault);
+            return if helps {
+                Made::Split(Parts { until: time, count: 2, fault: Some(fault) })
+            } else {
+                Made::Failed(fault)
+            };
         }
         self.begin().map_or_else(Made::Failed, |()| Made::Shortened)
     }

@@ -1,12 +1,13 @@
-//! Steps of a fixed formula that are made in parts, where one is too long for a sharp turn.
+//! Steps of a fixed formula that are made in parts, where one is too long for a sharp turn or for the loops.
 
 use super::advance::{Advance, Made, SHORTEST_ULPS};
 use super::near_singular::Rescue;
 use super::observer::Observer;
-use crate::fault::Cause;
+use crate::fault::{Cause, Fault};
 use crate::mechanism::Mechanism;
 use crate::method::Method;
 use crate::scalar::{Real, Scalar};
+use crate::tolerances::MOST_PARTS;
 
 /// A step that will be made in parts.
 pub(crate) struct Parts<S> {
@@ -14,17 +15,39 @@ pub(crate) struct Parts<S> {
     pub(super) until: S,
     /// Least number of parts.
     pub(super) count: u32,
+    /// The fault of the step, if it had one: then parts help, or the near-singular method.
+    pub(super) fault: Option<Fault>,
 }
 
 impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
-    /// Makes a step that is too long for a sharp turn near a flat pose, in shorter steps of the same formula.
+    /// Makes a step that is too long, in shorter steps of the same formula. A part that is too long has parts of its own; what follows it is
+    /// made in parts of the first length again.
     #[cold]
     pub(super) fn split(&mut self, parts: Parts<M::S>) -> Made<M::S> {
-        let whole = core::mem::replace(&mut self.context.end, parts.until);
+        self.context.stats.divided += 1;
+        let (whole, end) = (self.context.end, parts.until);
+        let first = (end - self.context.time) / M::S::lit(f64::from(parts.count));
+        // After a fault the work of a step is bounded, beside that of the near-singular method.
+        let shortest = (end - self.context.time) / M::S::lit(MOST_PARTS);
         let mut made = Made::Split(parts);
-        while let Made::Split(Parts { until, count }) = made {
-            let longest = (until - self.context.time) / M::S::lit(f64::from(count));
-            let moves = longest > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * until.abs();
+        loop {
+            let longest = match made {
+                Made::Split(Parts { until, count, fault }) => {
+                    let longest = (until - self.context.time) / M::S::lit(f64::from(count));
+                    if let Some(fault) = fault.filter(|_| longest < shortest) {
+                        made = Made::Failed(fault);
+                        break;
+                    }
+                    self.context.end = until;
+                    longest
+                }
+                Made::Step if self.context.time < end => {
+                    self.context.end = end;
+                    first
+                }
+                _ => break,
+            };
+            let moves = longest > M::S::lit(SHORTEST_ULPS) * M::S::EPSILON * end.abs();
             made = match self.method.shorter(longest).filter(|_| moves) {
                 Some(mut finer) => self.with(&mut finer, self.guarded.limits).follow(),
                 None if M::Rescue::take(self.context) => Made::NearSingular,

@@ -40,6 +40,7 @@ impl<M: Mechanism, I: Method<M>> Sim<M, I> {
             (h_alpha > 0.5).then_some(Notice::StiffStabilisation { h_alpha }),
             Notice::of_errors(&stats),
             (conditions > 0).then_some(Notice::PassedOver { conditions }),
+            (stats.divided > 0).then_some(Notice::DividedSteps { steps: stats.divided }),
         ];
         let contact = Notice::of_contacts(&this.contact_stats(), this.is_undetermined());
         first.into_iter().chain(contact).flatten()
@@ -61,6 +62,12 @@ pub enum Notice {
     PassedOver {
         /// Number of these conditions.
         conditions: u64,
+    },
+    /// Steps of fixed length were too long for the loops, or for a turn near a flat pose, and were made in parts. Such a step takes several
+    /// times as long, which matters in real time. Remedy: shorter steps.
+    DividedSteps {
+        /// Number of these steps.
+        steps: u64,
     },
     /// Events after which contact rows could continue in several ways, each of which satisfies all laws of contact. The motion from there
     /// on is one of several, as with large coefficients of friction.
@@ -139,6 +146,11 @@ impl fmt::Display for Notice {
                 f,
                 "conditions came and went within steps of equal length, {conditions} times: shorter steps, or a method \
                  with dense output"
+            ),
+            Self::DividedSteps { steps } => write!(
+                f,
+                "steps of equal length were too long for the loops or for a turn near a flat pose, {steps} times, and were made in \
+                 parts, which takes several times as long: shorter steps"
             ),
             Self::AmbiguousContact { events } => write!(
                 f,

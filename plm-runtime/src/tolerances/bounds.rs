@@ -20,7 +20,8 @@ pub(crate) const LOOKS: usize = 4;
 pub(crate) const MOST_LOOKS: usize = 64;
 /// Parabolas by which a low pivot between these places is followed to its minimum.
 pub(crate) const DESCENTS: usize = 8;
-/// Most parts into which a step is split; a part that is still too long is split again.
+/// Most parts into which a step is split; a part that is still too long for a turn is split again, one that has a fault is left to the
+/// near-singular method.
 pub(crate) const MOST_PARTS: f64 = 64.0;
 /// Trials of a crossing, each from nearer to the pose, if rounding would decide it: a kink within a longer crossing, or too few nodes,
 /// open the joints as well.

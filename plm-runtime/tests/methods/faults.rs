@@ -79,6 +79,8 @@ fn what_people_look_at_can_be_shown() {
     assert_eq!(Operations::default().to_string(), "0 operations");
     let notice = Notice::PassedOver { conditions: 3 }.to_string();
     assert!(notice.contains("3 times") && notice.contains("shorter steps"), "{notice}");
+    let notice = Notice::DividedSteps { steps: 7 }.to_string();
+    assert!(notice.contains("7 times") && notice.contains("shorter steps"), "{notice}");
 }
 
 #[test]

@@ -254,6 +254,11 @@ impl<M: System<S: Real> + Copy, const STAGES: usize> FixedLength<M> for Gauss<M,
 where
     Legendre: Nodes<STAGES>,
 {
+    #[inline]
+    fn next_time(&self) -> Option<M::S> {
+        Some(self.partition.next_time)
+    }
+
     fn estimate(&self) -> Estimate<M::S> {
         self.estimate
     }

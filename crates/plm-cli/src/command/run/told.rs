@@ -37,7 +37,7 @@ pub(super) fn stats(run: &mut Run, events: &[Event], to: &mut dyn Write) -> io::
 
 pub(super) type Counted = (u64, &'static str);
 
-pub(super) fn steps(of: &Stats) -> [Counted; 13] {
+pub(super) fn steps(of: &Stats) -> [Counted; 14] {
     [
         (of.steps, "steps"),
         (of.rejected, "rejected"),
@@ -49,6 +49,7 @@ pub(super) fn steps(of: &Stats) -> [Counted; 13] {
         (of.charts, "changes of chart"),
         (of.change_points, "change points"),
         (of.near_singular, "steps near singular poses"),
+        (of.divided, "made in parts"),
         (of.switches, "switches"),
         (of.passed_over, "passed over"),
         (of.renewed, "assembled anew"),
