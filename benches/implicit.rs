@@ -70,7 +70,7 @@ where
 {
     for tolerance in [1e-4, 1e-6, 1e-8] {
         let [implicit, explicit] =
-            [run(mechanism, RadauIia5::new(tolerance)), run(mechanism, Dop853::new(tolerance))];
+            [run(mechanism, &RadauIia5::new(tolerance)), run(mechanism, &Dop853::new(tolerance))];
         println!("{name:>5} {tolerance:.0e}: Radau {implicit}; Dop853 {explicit}");
     }
     let mut sim = mechanism.start().expect("the arms can be assembled");
@@ -91,7 +91,7 @@ where
 }
 
 /// The least time of a run, with what it did.
-fn run<M: Mechanism<S = f64>, I: Method<M>>(mechanism: M, method: I) -> String {
+fn run<M: Mechanism<S = f64>, I: Method<M>>(mechanism: M, method: &I) -> String {
     let (mut least, mut told) = (f64::INFINITY, String::new());
     for _ in 0..5 {
         let mut sim = mechanism.start_with(method.clone()).expect("the arms can be assembled");

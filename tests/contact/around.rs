@@ -65,7 +65,7 @@ impl Known {
 const UNTIL: f64 = 1.9;
 
 /// By one method: with samples, in one go, by steps of three lengths, from saved moments, and at times ahead and behind.
-fn at_every_pace(known: Known, method: impl Method<Scene>, within: f64) {
+fn at_every_pace(known: Known, method: &impl Method<Scene>, within: f64) {
     let start = || known.scene.start_with(method.clone()).unwrap();
     let (mut sampled, mut whole) = (start(), start());
     let mut samples = 0;
@@ -103,12 +103,12 @@ fn at_every_pace(known: Known, method: impl Method<Scene>, within: f64) {
 #[test]
 fn methods_with_error_control_agree_at_every_pace() {
     fn scene(known: Known) {
-        at_every_pace(known, Dop853::new(1e-11), 1e-9);
-        at_every_pace(known, Vern9::new(1e-11), 1e-9);
-        at_every_pace(known, Adams::new(1e-11), 1e-9);
-        at_every_pace(known, Dopri5::new(1e-11), 1e-9);
+        at_every_pace(known, &Dop853::new(1e-11), 1e-9);
+        at_every_pace(known, &Vern9::new(1e-11), 1e-9);
+        at_every_pace(known, &Adams::new(1e-11), 1e-9);
+        at_every_pace(known, &Dopri5::new(1e-11), 1e-9);
         // Between its ends a step is known to a lower order.
-        at_every_pace(known, RadauIia5::new(1e-11), 1e-8);
+        at_every_pace(known, &RadauIia5::new(1e-11), 1e-8);
     }
     let ball = Known {
         scene: Ball::new(),

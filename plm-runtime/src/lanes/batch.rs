@@ -52,10 +52,10 @@ impl<M: Pack<S = f64>, L: Lanes, I: Method<M>> Batch<M, L, I> {
     /// # Errors
     /// When one of them cannot be assembled.
     pub fn start(mechanisms: &[M; LANES], method: I) -> Result<Self, Fault> {
-        let first = mechanisms[0].start_with(method.clone())?;
+        let first = mechanisms[0].start_with(method)?;
         let mut sims = array::from_fn(|_| first.clone());
-        for (sim, mechanism) in sims.iter_mut().zip(mechanisms) {
-            *sim = mechanism.start_with(method.clone())?;
+        for (sim, mechanism) in sims.iter_mut().zip(mechanisms).skip(1) {
+            *sim = mechanism.start_with(first.method().clone())?;
         }
         Ok(Self::new(sims))
     }
