@@ -113,15 +113,11 @@ pub use plm_runtime::{
 };
 #[cfg(doctest)]
 mod book;
-#[cfg(feature = "lanes")]
-mod lanes;
 #[cfg(feature = "std")]
 pub mod live;
 #[cfg(feature = "std")]
 mod starts;
 
-#[cfg(feature = "lanes")]
-pub use lanes::{Batch, F64x8};
 /// Mechanisms at run time: a declaration from text runs without rustc.
 #[cfg(feature = "dynamic")]
 #[doc(inline)]
@@ -135,6 +131,8 @@ pub use plm_studies::analysis::{
     Auto, Change, Choice, Equilibrium, Freedom, Linearisable, Linearisation, Mode, Pace, Residual, Shape,
     Stabilise, StartAuto, Support, Unbalanced, What, control, linearise, stabilise,
 };
+#[cfg(feature = "lanes")]
+pub use plm_studies::lanes::{Batch, F64x8};
 /// Parameters, starts and inputs from measurements, or for the least cost.
 #[cfg(feature = "optimise")]
 #[doc(inline)]

@@ -4,7 +4,7 @@
 mod study;
 
 use plm::batch::{self, Failure};
-use plm::{Cause, Fault};
+use plm::{Cause, Dop853, Fault, Mechanism, Moment, Sim};
 
 plm::mechanism! {
     /// A four-bar that cannot be closed where the coupler is too short.
@@ -72,6 +72,74 @@ fn a_point_that_cannot_be_assembled_is_told_and_the_others_are_kept() {
     let told = runs.to_string();
     assert!(told.starts_with("4 of 12 runs failed\nrun 4, (0.05, 0.9): "), "{told}");
     assert!(matches!(runs.all(), Err(Failure::Fault(_))));
+}
+
+plm::mechanism! {
+    /// A pendulum that a spring catches beyond an angle, where its torque has a corner.
+    pub Caught {
+        gravity: 9.81 m/s^2;
+        param length: m = 1 m;
+        ground { port o: (0, 0) m; }
+        body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port o: (0, length); start angle: 60 deg, locked; }
+        revolute hinge(ground.o, bob.o) { drive: 40 N*m * max(-0.3 rad - bob.angle, 0 rad)/(1 rad); }
+        output bob.angle, bob.omega;
+    }
+}
+
+/// A run to 0.5 s by itself.
+fn alone<M: Mechanism<S = f64>, T>(
+    sim: Result<Sim<M, Dop853<M>>, Fault>,
+    result: impl Fn(&Sim<M, Dop853<M>>) -> T,
+) -> Option<T> {
+    let mut sim = sim.ok()?;
+    let left = 0.5 - sim.state().time();
+    sim.step(left).ok()?;
+    Some(result(&sim))
+}
+
+#[test]
+fn runs_to_a_time_have_the_bits_of_runs_alone() {
+    let closed = |(coupler, turned): (f64, f64)| {
+        FourBar { coupler, turned, ..FourBar::new() }.start_with(Dop853::new(1e-10))
+    };
+    let seen = |sim: &Sim<FourBar, Dop853<FourBar>>| (sim.rocker_angle().to_bits(), sim.stats());
+    // More points than a thread takes at once; every third cannot be assembled.
+    let turned: Vec<f64> = (0..50).map(|k| 0.5 + 0.02 * f64::from(k)).collect();
+    for threads in [1, 3] {
+        let runs = batch::grid(&COUPLERS, &turned).quiet().threads(threads).run_to(0.5, closed, seen);
+        assert_eq!(runs.len(), 150);
+        for (k, run) in runs.iter().enumerate() {
+            let point = (COUPLERS[k / 50], turned[k % 50]);
+            assert_eq!((run.index, run.parameters), (k, point));
+            assert_eq!(run.result.clone().ok(), alone(closed(point), seen), "{point:?}");
+        }
+        assert_eq!(runs.failed().count(), 50);
+    }
+    // Conditions go alone, as does a run that begins later than the others.
+    let caught = |length: f64| {
+        let mechanism = Caught { length, ..Caught::new() };
+        let (held, x) = mechanism.start_state(0.0)?;
+        let time = if length > 1.2 { 0.1 } else { 0.0 };
+        Ok(Sim::new(Moment::new(mechanism, held, time, x), Dop853::new(1e-10)))
+    };
+    let seen = |sim: &Sim<Caught, Dop853<Caught>>| [sim.bob_angle(), sim.bob_omega()].map(f64::to_bits);
+    let lengths: Vec<f64> = (0..20).map(|k| 0.5 + 0.05 * f64::from(k)).collect();
+    let runs = batch::points(lengths).quiet().run_to(0.5, caught, seen);
+    for run in &*runs {
+        assert_eq!(run.result.clone().ok(), alone(caught(run.parameters), seen), "{}", run.parameters);
+    }
+    assert_eq!(runs.failed().count(), 0, "{runs}");
+}
+
+#[test]
+fn a_result_that_panics_loses_nothing_else() {
+    let start = |turned: f64| FourBar { turned, ..FourBar::new() }.start_with(Dop853::new(1e-8));
+    let runs = batch::points(TURNED).quiet().run_to(0.1, start, |sim| {
+        assert!(sim.mechanism.turned != 1.1, "no 1.1");
+        sim.rocker_angle()
+    });
+    assert_eq!(runs.to_string(), "1 of 4 runs failed\nrun 2, 1.1: panic: no 1.1");
+    assert!(batch::points([]).quiet().run_to(0.1, start, |_| ()).is_empty());
 }
 
 #[test]

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use plm::Fault;
-use plm::study::{Points, Ran, Shard, Spread, Study, linear};
+use plm::study::{Gathered, Points, Ran, Shard, Spread, Study, linear};
+use plm::{Fault, Sim};
 
 use super::FourBar;
 
@@ -74,6 +74,39 @@ fn any_number_of_shards_and_threads_gives_the_same_bytes() {
             merged(&format!("{shards}-{threads}"), shards, threads) == one,
             "{shards} shards, {threads} threads"
         );
+    }
+}
+
+#[test]
+fn simulations_side_by_side_give_the_bytes_of_those_one_by_one() {
+    let start = |[coupler, turned]: [f64; 2]| {
+        let mut four_bar = FourBar { coupler, ..FourBar::new() };
+        four_bar.start.crank.angle.value = turned;
+        four_bar.start()
+    };
+    let seen = |sim: &Sim<FourBar>| [sim.rocker_angle(), sim.stats().evaluations as f64];
+    let alone = |point| {
+        let mut sim = start(point)?;
+        sim.step(0.2)?;
+        Ok::<_, Fault>(seen(&sim))
+    };
+    let columns = [("end", "rad"), ("evaluations", "")];
+    let table = |folder: &Path, gathered: Gathered<2, 2>| {
+        assert_eq!((gathered.missing().count(), gathered.failed().count()), (0, 9), "{gathered}");
+        gathered.write(&folder.join("all.csv")).unwrap();
+        fs::read(folder.join("all.csv")).unwrap()
+    };
+    let one_by_one = folder("one by one");
+    let study = Study::new("four bars", four_bars(), columns, alone);
+    study.run(&one_by_one, Shard::WHOLE, 1).unwrap();
+    let known = table(&one_by_one, study.gather(&one_by_one).unwrap());
+    let study = Study::to("four bars", four_bars(), columns, 0.2, (start, seen));
+    for (shards, threads) in [(1, 1), (3, 2)] {
+        let folder = folder(&format!("together {shards}"));
+        for number in 1..=shards {
+            study.run(&folder, Shard::new(number, shards).unwrap(), threads).unwrap();
+        }
+        assert!(table(&folder, study.gather(&folder).unwrap()) == known, "{shards} shards");
     }
 }
 

@@ -10,8 +10,12 @@ use std::ops::Deref;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use plm_runtime::Fault;
+use plm_runtime::lanes::Pack;
+use plm_runtime::method::{Embedded, Pair};
+use plm_runtime::{Fault, Sim};
 use rayon::prelude::*;
+
+use crate::together::{TOGETHER, together};
 
 /// Points of a batch, one for each run.
 #[derive(Clone, Debug)]
@@ -79,6 +83,34 @@ impl<P: Clone + Send> Points<P> {
         };
         // A run can take a second: threads take them one by one.
         let all = || list.into_par_iter().enumerate().with_max_len(1).map(one).collect();
+        let runs = on_threads(threads, stack, all);
+        bar.finish_and_clear();
+        Runs { runs }
+    }
+}
+
+impl<P: Clone + Send + Sync> Points<P> {
+    /// Runs the simulation of each point to a time, s: `start` assembles it, and `result` looks at it there. With the feature `lanes` each core
+    /// has eight of them side by side in vector registers, which have the bits of runs one by one; those with conditions, kinks or rows of
+    /// contact, and in absolute coordinates, go alone.
+    pub fn run_to<M: Pack<S = f64, State: Send> + Send, Q: Pair + Send, T: Send>(
+        self,
+        until: f64,
+        start: impl Fn(P) -> Result<Sim<M, Embedded<M, Q>>, Fault> + Sync,
+        result: impl Fn(&Sim<M, Embedded<M, Q>>) -> T + Sync,
+    ) -> Runs<P, T> {
+        let Points { list, threads, stack, shows_progress } = self;
+        let bar = if shows_progress { progress_bar(list.len()) } else { ProgressBar::hidden() };
+        let some = |(part, points): (usize, &[P])| {
+            let mut runs = Vec::new();
+            together(points.iter().cloned(), until, (&start, &result), |place, result| {
+                bar.inc(1);
+                runs.push(Run { index: part * TOGETHER + place, parameters: points[place].clone(), result });
+            });
+            runs.sort_unstable_by_key(|run| run.index);
+            runs
+        };
+        let all = || list.par_chunks(TOGETHER).enumerate().with_max_len(1).flat_map_iter(some).collect();
         let runs = on_threads(threads, stack, all);
         bar.finish_and_clear();
         Runs { runs }

@@ -3,7 +3,7 @@
 use std::env;
 use std::error::Error;
 use std::ffi::OsString;
-use std::fmt::{self, Write};
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -11,7 +11,7 @@ use lexopt::{Arg, Parser, ValueExt};
 
 use super::shard::check_threads;
 use super::submit::{Engine, Submission};
-use super::{Gathered, Problem, Ran, Shard, Study};
+use super::{Gathered, Problem, Ran, Rows, Shard, Study};
 
 /// Help on the options.
 const HELP: &str = "\
@@ -89,11 +89,7 @@ impl Request {
     }
 }
 
-impl<F, E, const P: usize, const C: usize> Study<F, P, C>
-where
-    F: Fn([f64; P]) -> Result<[f64; C], E> + Sync,
-    E: fmt::Display,
-{
+impl<F: Rows<P, C>, const P: usize, const C: usize> Study<F, P, C> {
     /// Runs by the command line, and prints the result. Points that fail are part of a result, and no failure of the program.
     pub fn main(&self) -> ExitCode {
         match self.with(env::args_os().skip(1)) {

@@ -16,6 +16,7 @@ mod gathered;
 mod log;
 mod points;
 mod random;
+mod rows;
 mod shard;
 mod submit;
 mod table;
@@ -27,6 +28,7 @@ use std::path::Path;
 
 pub use gathered::{Gathered, Outcome};
 pub use points::{Points, Spread, linear};
+pub use rows::{Rows, To};
 pub use shard::{Ran, Shard};
 
 /// A study of P parameters that gives C columns.
@@ -127,6 +129,29 @@ where
         let columns = columns.map(Quantity::from);
         let plan = Plan { name: name.to_owned(), revision: String::new(), points, columns };
         Self { plan, row, stack: crate::batch::STACK }
+    }
+}
+
+impl<S, R, const P: usize, const C: usize> Study<To<S, R>, P, C> {
+    /// A study of simulations that run to a time, s: `start` assembles that of a point, and `row` computes its columns there. Each core has
+    /// several of them side by side, as those of [`batch::Points::run_to`](crate::batch::Points::run_to).
+    pub fn to(
+        name: &str,
+        points: Points<P>,
+        columns: [(&str, &str); C],
+        until: f64,
+        (start, row): (S, R),
+    ) -> Self
+    where
+        To<S, R>: Rows<P, C>,
+    {
+        let plan = Plan {
+            name: name.to_owned(),
+            revision: String::new(),
+            points,
+            columns: columns.map(Quantity::from),
+        };
+        Self { plan, row: To { until, start, row }, stack: crate::batch::STACK }
     }
 }
 

@@ -9,8 +9,8 @@ use std::sync::{Mutex, PoisonError};
 use rayon::prelude::*;
 
 use super::log::{Log, checksum, logs};
-use super::{Plan, Problem, Study};
-use crate::batch::{MOST_THREADS, caught, on_threads, progress_bar};
+use super::{Plan, Problem, Rows, Study};
+use crate::batch::{MOST_THREADS, on_threads, progress_bar};
 
 /// One of several parts of a study. Of every N points that follow each other each of the N shards has one, and which one changes
 /// without a pattern: if it were always the same place, shards would be columns of a grid, some of which cost more than others.
@@ -110,11 +110,7 @@ pub struct Ran {
     pub notes: Vec<String>,
 }
 
-impl<F, E, const P: usize, const C: usize> Study<F, P, C>
-where
-    F: Fn([f64; P]) -> Result<[f64; C], E> + Sync,
-    E: fmt::Display,
-{
+impl<F: Rows<P, C>, const P: usize, const C: usize> Study<F, P, C> {
     /// Runs those points of a shard that no log in the folder has, on so many threads (0: one for each core), and appends each to the log
     /// of the shard as soon as it is done. A point that fails, or panics, is stored with its message; it is not tried again.
     ///
@@ -130,20 +126,24 @@ where
         let kept = done.iter().filter(|done| **done).count();
         let (log, failed) = (Mutex::new(log), AtomicUsize::new(0));
         let bar = progress_bar(done.len() - kept);
-        let one = |index: usize, point: [f64; P]| {
-            let row = caught(|| (self.row)(point).map_err(|error| error.to_string()));
-            let outcome = row.unwrap_or_else(|words| Err(format!("panic: {words}")));
-            failed.fetch_add(usize::from(outcome.is_err()), Ordering::Relaxed);
-            bar.inc(1);
-            log.lock().unwrap_or_else(PoisonError::into_inner).append(index, &outcome.map_err(Into::into))
+        let some = |places: &[usize]| {
+            let index = |place: &usize| shard.index(*place);
+            let there =
+                places.iter().map(index).filter_map(|index| Some((index, self.plan.points.at(index)?)));
+            let (indices, points): (Vec<usize>, Vec<[f64; P]>) = there.unzip();
+            let mut outcome = Ok(());
+            self.row.rows(&points, &mut |place, row| {
+                failed.fetch_add(usize::from(row.is_err()), Ordering::Relaxed);
+                bar.inc(1);
+                let mut log = log.lock().unwrap_or_else(PoisonError::into_inner);
+                if let (Ok(()), Some(index)) = (&outcome, indices.get(place)) {
+                    outcome = log.append(*index, &row.map_err(Into::into));
+                }
+            });
+            outcome
         };
-        let places = (0..done.len()).into_par_iter().with_max_len(1).filter(|place| !done[*place]);
-        let all = || {
-            places.try_for_each(|place| {
-                let index = shard.index(place);
-                self.plan.points.at(index).map_or(Ok(()), |point| one(index, point))
-            })
-        };
+        let places: Vec<usize> = (0..done.len()).filter(|place| !done[*place]).collect();
+        let all = || places.par_chunks(F::AT_ONCE).with_max_len(1).try_for_each(some);
         let outcome = on_threads(threads, self.stack, all);
         bar.finish_and_clear();
         outcome.map(|()| Ran { kept, computed: done.len() - kept, failed: failed.into_inner(), notes })
