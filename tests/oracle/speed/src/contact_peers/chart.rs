@@ -29,7 +29,12 @@ pub(crate) const SCENES: [(&str, &str); 4] = [
 /// The colour of a program: distinct for colour-blind readers, and told by its label as well.
 fn colour(program: &str) -> &'static str {
     let order = ["plm", "MuJoCo", "Rapier2D", "Box2D", "Siconos"];
-    CURVES[order.iter().position(|of| *of == program).unwrap_or(0)]
+    CURVES[order.iter().position(|of| program.starts_with(of)).unwrap_or(0)]
+}
+
+/// The name of a line; a program that is shown twice says by which method.
+fn label(program: &'static str, settings: &str) -> &'static str {
+    if settings == "RK4" { "MuJoCo RK4" } else { program }
 }
 
 fn shown() -> impl Iterator<Item = (&'static str, &'static str)> {
@@ -91,7 +96,7 @@ fn panel(svg: &mut String, runs: &[Run], (scene, title): (&str, &str), [left, to
         let Some(&last) = points.last() else { continue };
         curve(svg, &points, colour(program));
         let right = points.iter().fold(last[0], |right, point| right.max(point[0]));
-        labels.push((last[1], right, program));
+        labels.push((last[1], right, label(program, settings)));
     }
     // The other programs have their names in a column beside their lines.
     let column =
@@ -143,7 +148,7 @@ impl Dots {
         value: &dyn Fn(&Run) -> Option<f64>,
         [left, top]: [f64; 2],
     ) {
-        let (x0, y0, width, height) = (left + 84.0, top + PLOT[1], 312.0, PLOT[3]);
+        let (x0, y0, width, height) = (left + 98.0, top + PLOT[1], 298.0, PLOT[3]);
         let [low, high] = self.range;
         let zero = x0 + 14.0;
         let x = |value: f64| {
@@ -162,9 +167,9 @@ impl Dots {
             text(svg, [x, foot + 17.0], &name, FAINT, "font-size=\"12\" text-anchor=\"middle\"");
         }
         for (number, (program, settings)) in shown().enumerate() {
-            let y = y0 + 20.0 + 36.0 * number as f64;
+            let y = y0 + 18.0 + 30.0 * number as f64;
             let more = "font-size=\"13\" font-weight=\"600\" text-anchor=\"end\"";
-            text(svg, [x0 - 6.0, y + 4.5], program, colour(program), more);
+            text(svg, [x0 - 6.0, y + 4.5], label(program, settings), colour(program), more);
             let values: Vec<f64> =
                 line(runs, self.scene, program, settings).into_iter().filter_map(value).collect();
             let points: Vec<[f64; 2]> = values.iter().map(|value| [x(*value), y]).collect();

@@ -53,10 +53,11 @@ fn run(row: &str) -> Option<Run> {
 }
 
 /// Programs with their settings, in the order of the tables; true for those that the picture shows.
-pub const LINES: [(&str, &str, bool); 8] = [
+pub const LINES: [(&str, &str, bool); 9] = [
     ("plm", "DOP853", true),
     ("MuJoCo", "defaults", false),
     ("MuJoCo", "stiff", true),
+    ("MuJoCo", "RK4", true),
     ("Rapier2D", "defaults", false),
     ("Rapier2D", "tight", true),
     ("Box2D", "usual", false),
