@@ -17,6 +17,9 @@ use scene::{Given as _, Named as _, Scene};
 
 /// Evaluations that a lock-up may take after the last step.
 const AT_ONCE: u64 = 200;
+/// Steps of an interval of ten milliseconds whose last step is divided: up to 64 parts, many after a refused one of twice the length,
+/// and those near the lock-up.
+const DIVIDED: u64 = 600;
 
 /// Runs to the lock-up of a row at a time and a value; the same with intervals of ten milliseconds.
 fn assert_locks<I: Method<Scene>>(
@@ -36,14 +39,23 @@ fn assert_locks<I: Method<Scene>>(
     let fault = sim.step_to(time + 1.0).unwrap_err();
     let reached = sim.time();
     told(fault, reached);
-    let mut until = start();
-    until.step_to(reached).unwrap();
-    let after = sim.stats().evaluations - until.stats().evaluations;
-    assert!(after < AT_ONCE, "{name}: {after} evaluations");
+    // A step of fixed length that is divided ends where no run to that time has a step.
+    if sim.stats().divided == 0 {
+        let mut until = start();
+        until.step_to(reached).unwrap();
+        let after = sim.stats().evaluations - until.stats().evaluations;
+        assert!(after < AT_ONCE, "{name}: {after} evaluations");
+    }
     assert!(sim.stats().near_singular < 20, "{name}: {:?}", sim.stats());
     let mut paced = start();
+    let mut before = 0;
     let fault = loop {
-        if let Err(fault) = paced.step(0.01) {
+        let made = paced.step(0.01);
+        let steps = paced.stats().steps + paced.stats().rejected - before;
+        before += steps;
+        if let Err(fault) = made {
+            println!("{name}: {steps} steps");
+            assert!(steps < DIVIDED || paced.stats().divided == 0, "{name}: {steps} steps");
             break fault;
         }
     };

@@ -237,9 +237,8 @@ impl Count {
     }
 }
 
-/// Most steps of an interval: after a fault at most 64 parts, after 2, 4, ... 64 that were refused; in a turn near a flat pose each of these
-/// may have parts.
-const MOST_PARTS: u64 = 1000;
+/// Most steps of an interval: 64 parts, each of which may have as many in a turn near a flat pose, and a second of a fast crank has several.
+const MOST_PARTS: u64 = 10_000;
 /// Errors may grow by this factor.
 const MOST_GROWN: f64 = 30.0;
 const SEED: u64 = 30;

@@ -25,7 +25,7 @@ pub struct Stats {
     pub change_points: u64,
     /// Steps near singular poses, where no chart is good: without charts and in numbers of twice the precision.
     pub near_singular: u64,
-    /// Steps of fixed length that were made in parts, because they were too long for the loops or for a turn near a flat pose.
+    /// Steps of fixed length that were too long for the loops, and were made in parts.
     pub divided: u64,
     /// Conditions that switched, and known times that were passed.
     pub switches: u64,

@@ -180,7 +180,7 @@ impl<M: Pack<S = f64>, F: Formula> Fixed<'_, M, F> {
         };
         match made.and_then(|()| method.land(context, x)) {
             Ok(()) => self.advance(&mut Unobserved).conclude(&from, Event::None),
-            Err(fault) => Made::Failed(fault),
+            Err(fault) => self.advance(&mut Unobserved).fail(&from, fault),
         }
     }
 }

@@ -155,9 +155,9 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
     }
 
-    /// Can a step of fixed length with this fault be made in parts? Where no pose is singular, the length that errs too much is the user's.
+    /// Can a step of fixed length with this fault be made in parts? Where no pose is singular, the length that fails is the user's.
     fn parts_help(fault: &Fault) -> bool {
-        is_singular(fault) && (M::Rescue::POSSIBLE || !matches!(fault.cause, Cause::StepTooLong { .. }))
+        M::Rescue::POSSIBLE && is_singular(fault)
     }
 
     /// Carries out the judge's verdict on the proposed step, from its beginning to the state reached.

@@ -21,21 +21,22 @@ pub(crate) struct Parts<S> {
 
 impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
     /// Makes a step that is too long, in shorter steps of the same formula. A part that is too long has parts of its own; what follows it is
-    /// made in parts of the first length again.
+    /// made in parts of twice their length, up to the first one.
     #[cold]
     pub(super) fn split(&mut self, parts: Parts<M::S>) -> Made<M::S> {
-        self.context.stats.divided += 1;
-        let (whole, end) = (self.context.end, parts.until);
+        self.context.stats.divided += u64::from(parts.fault.is_some());
+        let (whole, end, told) = (self.context.end, parts.until, parts.fault);
         let first = (end - self.context.time) / M::S::lit(f64::from(parts.count));
         // After a fault the work of a step is bounded, beside that of the near-singular method.
         let shortest = (end - self.context.time) / M::S::lit(MOST_PARTS);
-        let mut made = Made::Split(parts);
+        let (mut made, mut longest) = (Made::Split(parts), first);
         loop {
-            let longest = match made {
+            longest = match made {
                 Made::Split(Parts { until, count, fault }) => {
                     let longest = (until - self.context.time) / M::S::lit(f64::from(count));
                     if let Some(fault) = fault.filter(|_| longest < shortest) {
-                        made = Made::Failed(fault);
+                        // The step was too long, not its part.
+                        made = Made::Failed(told.unwrap_or(fault));
                         break;
                     }
                     self.context.end = until;
@@ -43,7 +44,7 @@ impl<M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, '_, M, I, O> {
                 }
                 Made::Step if self.context.time < end => {
                     self.context.end = end;
-                    first
+                    first.min(longest + longest)
                 }
                 _ => break,
             };

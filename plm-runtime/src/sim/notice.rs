@@ -63,8 +63,8 @@ pub enum Notice {
         /// Number of these conditions.
         conditions: u64,
     },
-    /// Steps of fixed length were too long for the loops, or for a turn near a flat pose, and were made in parts. Such a step takes several
-    /// times as long, which matters in real time. Remedy: shorter steps.
+    /// Steps of fixed length were too long for the loops, and were made in parts. Such a step takes several times as long, which matters in
+    /// real time. Remedy: shorter steps.
     DividedSteps {
         /// Number of these steps.
         steps: u64,
@@ -149,8 +149,8 @@ impl fmt::Display for Notice {
             ),
             Self::DividedSteps { steps } => write!(
                 f,
-                "steps of equal length were too long for the loops or for a turn near a flat pose, {steps} times, and were made in \
-                 parts, which takes several times as long: shorter steps"
+                "steps of equal length were too long for the loops, {steps} times, and were made in parts, which takes several times \
+                 as long: shorter steps"
             ),
             Self::AmbiguousContact { events } => write!(
                 f,
