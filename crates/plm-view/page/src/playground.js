@@ -42,6 +42,10 @@ async function beginPlay(app) {
   }
   const module = await WebAssembly.compile(/** @type {Uint8Array<ArrayBuffer>} */ (wasm));
   const exchange = new Exchange(app, module, startWorker);
+  exchange.named = (name) => {
+    if (name !== null) document.title = name;
+    document.querySelector("h1")?.replaceChildren(name ?? "Drawing");
+  };
   const asked = await unpackText(new URLSearchParams(location.hash.slice(1)).get("text") ?? "");
   const text = asked ?? gallery[0].text;
   app.grip = dragTool(app);
