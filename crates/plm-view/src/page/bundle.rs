@@ -107,6 +107,7 @@ const PLAYGROUND: &[(&str, &str)] = &[
     ("exchange", include_str!("../../page/src/exchange.js")),
     ("language", include_str!("../../page/src/language.js")),
     ("editorpane", include_str!("../../page/src/editorpane.js")),
+    ("equations", include_str!("../../page/src/equations.js")),
     ("heldpin", include_str!("../../page/src/heldpin.js")),
     ("sketch", include_str!("../../page/src/sketch.js")),
     ("sketchdraw", include_str!("../../page/src/sketchdraw.js")),
