@@ -58,13 +58,11 @@ pub(super) fn equations(document: &Document) -> Value {
     let Some(declaration) = document.declarations.first() else { return Value::Null };
     let masked = declaration.excerpt.masked(&document.text);
     let Checked { sources, expansion } = checked(&document.name, &document.text, masked.as_deref());
-    match &expansion.oracle {
-        Some(oracle) => equations::json(&oracle.written()),
-        None => {
-            let first = expansion.diagnostics.sorted().first().map(|of| of.render(&sources));
-            json!({ "why": first.unwrap_or_default() })
-        }
+    if let Some(oracle) = &expansion.oracle {
+        return equations::json(&oracle.written());
     }
+    let first = expansion.diagnostics.sorted().first().map(|of| of.render(&sources));
+    json!({ "why": first.unwrap_or_default() })
 }
 
 /// The text of the first declaration.
