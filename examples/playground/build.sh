@@ -14,7 +14,7 @@ if [ "${1:-}" = --book ]; then
     [ -f "$book/index.html" ] || { printf '%s is no built book\n' "$book" >&2; exit 1; }
 fi
 
-bash crates/plm-view/page/check.sh --install
+bash examples/playground/module.sh
 made=$root/target/plm/playground
 mkdir -p "$made"
 (
@@ -25,8 +25,6 @@ mkdir -p "$made"
     { printf '/*\n'; cat node_modules/@codemirror/state/LICENSE; printf '*/\n'; cat "$made/bundle.js"; } > "$made/editor.js"
 )
 
-# In a folder of its own: its features are not those of the workspace.
-(cd examples/playground && cargo build -q --release --lib --target wasm32-unknown-unknown --target-dir "$root/target/playground")
 machines=examples/gallery/machines
 # What browsers inflate by themselves would be a third larger.
 xz --keep --force --format=lzma --lzma1=preset=9e,lc=4,pb=0 --stdout \

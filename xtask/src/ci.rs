@@ -112,7 +112,8 @@ const MORE: &[Step] = &[
         Ok(())
     })),
     Step::Here(plain("playground", "playground", |place| {
-        place.command("bash examples/playground/check.sh").run()
+        place.command("bash examples/playground/check.sh").run()?;
+        place.command("bash examples/playground/npm.sh --check").run()
     })),
     Step::Here(plain("gradients", "derivatives of random mechanisms", |place| {
         place.command("cargo run --release --example gradients -- 300").run()

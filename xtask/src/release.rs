@@ -21,8 +21,12 @@ const PROFILE: &str = "dist";
 /// The declaration of the examples in a release.
 const EXAMPLE: &str = "examples/playground/four_bar.plm";
 /// The most that a file may have, by the beginning and the end of its name, bytes.
-const MOST: [(&str, &str, u64); 3] =
-    [("plm-", "", 25_000_000), ("playground", ".html", 1_400_000), ("plm_planar-", ".whl", 12_000_000)];
+const MOST: [(&str, &str, u64); 4] = [
+    ("plm-", ".gz", 25_000_000),
+    ("playground", ".html", 1_400_000),
+    ("plm_planar-", ".whl", 12_000_000),
+    ("plm-mechanism-", ".tgz", 2_000_000),
+];
 
 const USAGE: &str = "\
 cargo xtask release check TAG        version, changelog and address are those of a release
@@ -30,6 +34,8 @@ cargo xtask release binary TARGET    `plm` for a target of rustc, without symbol
 cargo xtask release page             the playground as one file
 cargo xtask release book             the book
 cargo xtask release examples         C source with its header, FMUs, and a package that makes one with a binary, of the four-bar
+cargo xtask release npm              the package of `<plm-mechanism>`, tried in a browser
+cargo xtask release npm publish      that package, to the registry
 cargo xtask release try              the files on an empty Debian without Rust (root, debootstrap)
 cargo xtask release sums             sizes and checksums of all files, within their limits
 cargo xtask release crates           the crates, in their order, to the registry
@@ -46,6 +52,8 @@ pub(crate) fn run(place: &Place, words: &[String]) -> Result {
         ["page"] => page(place, &folder),
         ["book"] => book(place, &folder),
         ["examples"] => examples(place, &folder),
+        ["npm"] => npm(place, &folder),
+        ["npm", "publish"] => publish_npm(place, &folder, is_dry),
         ["try", parts @ ..] => place.command("bash tests/empty.sh").arg(&folder).args(parts).run(),
         ["sums"] => sums(place, &folder),
         ["crates"] => crates(place, is_dry),
@@ -152,6 +160,23 @@ fn examples(place: &Place, folder: &Path) -> Result {
         place.command("tar -czf").arg(&archive).arg("-C").arg(made.with_file_name("")).arg(name).run()?;
     }
     Ok(())
+}
+
+/// The package of `<plm-mechanism>`, tried as it is packed.
+fn npm(place: &Place, folder: &Path) -> Result {
+    place.command("bash examples/playground/npm.sh --check").run()?;
+    let name = npm_file(place)?;
+    copy(&place.root.join("target/plm/npm").join(&name), &folder.join(&name))
+}
+
+/// That package, to the registry, with a proof of where it was built; without an upload in a dry run.
+fn publish_npm(place: &Place, folder: &Path, is_dry: bool) -> Result {
+    let publish = place.command("npm publish --access public").arg(folder.join(npm_file(place)?));
+    if is_dry { publish.arg("--dry-run").run() } else { publish.arg("--provenance").run() }
+}
+
+fn npm_file(place: &Place) -> Result<String> {
+    Ok(format!("plm-mechanism-{}.tgz", version(&place.root)?))
 }
 
 /// A list of all files with sizes and checksums, which is printed too.

@@ -20,6 +20,7 @@
 
 mod checked;
 mod command;
+mod equations;
 mod excerpt;
 #[cfg(feature = "identify")]
 mod fitted;

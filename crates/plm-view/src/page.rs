@@ -92,8 +92,7 @@ impl Page {
     #[must_use]
     pub fn with_editor(mut self, script: &str, module: &[u8], gallery: &[(String, String)]) -> Self {
         let texts = gallery.iter().map(|(name, text)| serde_json::json!({ "name": name, "text": text }));
-        // `</script` would end the element; in JSON a backslash may stand before any slash.
-        let gallery = texts.collect::<serde_json::Value>().to_string().replace("</", "<\\/");
+        let gallery = texts.collect::<serde_json::Value>().to_string();
         self.editor = Some(Editor { script: script.to_owned(), module: module.to_vec(), gallery });
         self
     }
@@ -120,7 +119,7 @@ impl Page {
         let mut packed = held("packed-style", &dense(&deflated(style.as_bytes())));
         packed += &held("packed", &dense(&deflated(script.as_bytes())));
         if let Some(editor) = &self.editor {
-            packed += &held("gallery-texts", &editor.gallery);
+            packed += &held("packed-gallery", &dense(&deflated(editor.gallery.as_bytes())));
             packed += &held("packed-module", &dense(&editor.module));
         }
         if !self.book.is_empty() {

@@ -1,12 +1,12 @@
 //! `plm expand` and `plm report`: the code that the macro emits, and what the compiler found and chose.
 
-use plm_compiler::{AssembledBody, Written};
+use plm_compiler::AssembledBody;
 use serde_json::json;
 
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
 use crate::checked::{Checked, Declarations};
-use crate::read;
+use crate::{equations, read};
 
 pub(super) const EXPAND: Command = Command {
     name: "expand",
@@ -42,26 +42,12 @@ pub(super) const REPORT: Command = Command {
 
 /// The equations of motion as LaTeX, for a document with amsmath.
 fn latex(checked: &Checked) -> Option<String> {
-    let Written { name, coordinates, latex, notes, .. } = checked.expansion.oracle.as_ref()?.written();
-    let mut lines = vec![format!("% {name}")];
-    lines.extend(coordinates.iter().map(|[path, symbol, _]| format!("% {path}: ${symbol}$")));
-    lines.extend(notes.iter().map(|note| format!("% {note}")));
-    lines.extend(latex.iter().map(|equation| format!("\\[ {equation} \\]")));
-    Some(lines.join("\n"))
+    Some(equations::latex(&checked.expansion.oracle.as_ref()?.written()))
 }
 
 /// The equations of motion as MathML, in a page that a browser shows.
 fn mathml(checked: &Checked) -> Option<String> {
-    let Written { name, coordinates, mathml, notes, .. } = checked.expansion.oracle.as_ref()?.written();
-    let head =
-        format!("<!doctype html>\n<meta charset=\"utf-8\">\n<title>{name}</title>\n<h1>{name}</h1>\n<dl>");
-    let mut lines = vec![head];
-    let symbol = |[path, _, symbol]: &[String; 3]| format!("<dt><math>{symbol}</math></dt><dd>{path}</dd>");
-    lines.extend(coordinates.iter().map(symbol));
-    lines.push("</dl>".to_owned());
-    lines.extend(notes.iter().map(|note| format!("<p>{note}</p>")));
-    lines.extend(mathml);
-    Some(lines.join("\n"))
+    Some(equations::page(&checked.expansion.oracle.as_ref()?.written()))
 }
 
 fn text(checked: &Checked) -> Option<String> {

@@ -1,4 +1,5 @@
-//! Answers for the playground that no message of the protocol asks for: the first declaration of a text as files, to take home.
+//! Answers for the playground that no message of the protocol asks for: the first declaration of a text as files, to take home, and its
+//! equations of motion.
 
 use plm_compiler::token::Sources;
 use plm_dynamic::Mechanism;
@@ -6,6 +7,8 @@ use plm_source::{File, Precision, Version};
 use serde_json::{Map, Value, json};
 
 use super::document::Document;
+use crate::checked::{Checked, checked};
+use crate::equations;
 use crate::package::{Package, version};
 
 /// Its package of cargo: the name and the files, or why there is none.
@@ -48,6 +51,18 @@ fn made(name: &str, text: &str, version: Option<Version>) -> Result<Value, Strin
     let name = header.map(|path| path.rsplit('/').next().unwrap_or(path).to_owned());
     let files = files.into_iter().map(|File { name, text }| (name, Value::String(text)));
     Ok(json!({ "name": name, "files": files.collect::<Map<_, _>>(), "notices": notices }))
+}
+
+/// Its equations of motion as they are written for people, or why there are none.
+pub(super) fn equations(document: &Document) -> Value {
+    let Some(declaration) = document.declarations.first() else { return Value::Null };
+    let masked = declaration.excerpt.masked(&document.text);
+    let Checked { sources, expansion } = checked(&document.name, &document.text, masked.as_deref());
+    if let Some(oracle) = &expansion.oracle {
+        return equations::json(&oracle.written());
+    }
+    let first = expansion.diagnostics.sorted().first().map(|of| of.render(&sources));
+    json!({ "why": first.unwrap_or_default() })
 }
 
 /// The text of the first declaration.

@@ -102,11 +102,15 @@ impl Server {
     fn answer(&self, request: Request) -> Response {
         let Request { id, method, params } = request;
         let uri = params["textDocument"]["uri"].as_str().unwrap_or_default();
-        // A page draws on a text of its own, which need not be open.
-        if let ("plm/draw", Some(text)) = (method.as_str(), params["text"].as_str()) {
-            let drawn = without_panic(|| draw::answered_of_text(uri, text, &params));
-            return match drawn {
-                Ok(drawn) => Response::new_ok(id, drawn),
+        // A page asks about a text of its own, which need not be open.
+        let of_text = params["text"].as_str().and_then(|text| match method.as_str() {
+            "plm/draw" => Some(without_panic(|| draw::answered_of_text(uri, text, &params))),
+            "plm/equations" => Some(without_panic(|| home::equations(&Document::new(uri, text.to_owned())))),
+            _ => None,
+        });
+        if let Some(answered) = of_text {
+            return match answered {
+                Ok(answer) => Response::new_ok(id, answer),
                 Err(what) => {
                     Response::new_err(id, ErrorCode::InternalError as i32, plm_compiler::bug_message(&what))
                 }
@@ -146,6 +150,7 @@ impl Server {
             "textDocument/codeAction" => Some(fixes(document, &params["range"])),
             "plm/package" => Some(home::package(document)),
             "plm/source" => Some(home::source(document, &params["kind"])),
+            "plm/equations" => Some(home::equations(document)),
             "plm/draw" => Some(draw::answered(document, &params)),
             _ => None,
         });
@@ -313,6 +318,29 @@ mod tests {
             );
         }
         assert!(source(&mut server, "fmi1")["why"].is_string());
+
+        // Of the open text, and of one that is sent along.
+        let mut equations = |params: Value| {
+            let all = said(&mut server, &json!({ "id": 5, "method": "plm/equations", "params": params }));
+            all.first().map(|found| found["result"].clone()).unwrap_or_default()
+        };
+        let open = json!({ "textDocument": { "uri": "plm:p.plm" } });
+        assert_eq!(equations(open)["coordinates"][0][0], "b.angle");
+        let of = |text: &str| json!({ "textDocument": { "uri": "plm:other" }, "text": text });
+        let found = equations(of(&text.replace("inertia: 1", "inertia: 4")));
+        // About a pin that is 1 m from the centre the moment of inertia is 4 + 1*1^2.
+        assert!(
+            found["latex"].as_str().is_some_and(|latex| latex.contains("\\[ 5 \\ddot{\\varphi}_{b} = 0")),
+            "{found}"
+        );
+        assert!(found["mathml"][0].as_str().is_some_and(|math| math.starts_with("<math")), "{found}");
+        assert!(
+            equations(of("pub P { body b { mass: 1; } }"))["why"]
+                .as_str()
+                .is_some_and(|why| why.contains("error["))
+        );
+        let rust = json!({ "textDocument": { "uri": "plm:main.rs" }, "text": "fn main() {}" });
+        assert_eq!(equations(rust), Value::Null);
 
         let closed = json!({ "method": "textDocument/didClose", "params": { "textDocument": document } });
         let [shown] = &said(&mut server, &closed)[..] else { unreachable!() };

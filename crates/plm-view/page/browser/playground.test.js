@@ -1,40 +1,14 @@
 // The playground: what is typed moves, and what is wrong is told where it is wrong.
 
 import assert from "node:assert/strict";
-import { existsSync, readFileSync, statSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 import { test } from "node:test";
-import { pathToFileURL } from "node:url";
-import { packText, unpackText } from "../src/packedtext.js";
+import { unpackText } from "../src/packedtext.js";
 import { readZip } from "../src/zip.js";
-import { open, openedIn, shot, skip as withoutBrowser, state, until } from "./support/browser.js";
+import { open, openedIn, shot, state, until } from "./support/browser.js";
+import { PENDULUM, address, file, playground, problems, skip, type, typed } from "./support/playground.js";
 
-const file = process.env["PLM_PLAYGROUND"] ?? "";
-const skip =
-  withoutBrowser || (existsSync(file) ? false : "skipped: there is no playground; `bash examples/playground/build.sh` makes it, and PLM_PLAYGROUND names it");
-const address = skip ? "" : pathToFileURL(file).href;
-
-const PENDULUM = `pub Pendulum {
-    param length: m = 1 m;
-    gravity: 9.81 m/s^2;
-    ground { port o: (0, 0) m; }
-    body bob { mass: 1 kg; inertia: 0.01 kg*m^2; port pivot: (0 m, length); start angle: 30 deg, locked; }
-    revolute hinge(ground.o, bob.pivot);
-    output hinge.force;
-}
-`;
-
-/** The playground with a text. */
-async function playground(text = null, how = {}) {
-  const hash = text === null ? "" : `#text=${await packText(text)}`;
-  const opened = await open(address, { plays: true, hash, ...how });
-  await opened.page.waitForFunction(() => window.plmPage.app.live.run.rows > 3);
-  return opened;
-}
-
-const typed = (page) => page.evaluate(() => window.plmPlay.pane.editor.text());
-const type = (page, text) => page.evaluate((to) => window.plmPlay.pane.editor.replace(to), text);
 const nameShown = (page) => state(page, "app.live.mechanism.name");
-const problems = (page) => page.locator("#problems li").allTextContents();
 const shows = (page, name) => page.waitForFunction((to) => window.plmPage.app.live.mechanism.name === to && window.plmPage.app.live.run.rows > 3, name);
 
 test("it is one file, asks nothing of a network, and moves in a second", { skip }, async () => {

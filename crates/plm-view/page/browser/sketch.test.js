@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { settle, shot, state, until } from "./support/browser.js";
-import { FOUR_BAR, drawing, handOn, isCurrent, isNear, isWhole, playground, portAt, problems, skip, turnsOn, typed } from "./support/hand.js";
+import { FOUR_BAR, drawing, handOn, isCurrent, isNear, isWhole, portAt, turnsOn } from "./support/hand.js";
+import { playground, problems, skip, typed } from "./support/playground.js";
 
 test("a four-bar is drawn from an empty page by pointer alone", { skip }, async () => {
   const { page, errors } = await playground();

@@ -2,9 +2,8 @@
 
 import { element, setText } from "./dom.js";
 import { faultWords } from "./fault.js";
-import { Language, languageText } from "./language.js";
+import { Language, languageWorkerOf } from "./language.js";
 import { packText } from "./packedtext.js";
-import { workerOf } from "./startworker.js";
 import { openTakeHome, saveText } from "./takehome.js";
 
 /** @import {App} from "./app.js" */
@@ -55,14 +54,7 @@ export class EditorPane {
     const code = element("div", { id: "code" });
     this.root = element("section", { id: "editor", "aria-label": "Declaration" }, this.head(gallery), code, this.state, this.problems);
     document.querySelector("main")?.prepend(this.root);
-    this.language = new Language(
-      () => {
-        const worker = workerOf(languageText());
-        worker.postMessage({ kind: "module", module: exchange.module });
-        return worker;
-      },
-      (problems, of) => this.show(problems, of),
-    );
+    this.language = new Language(languageWorkerOf(exchange.module), (problems, of) => this.show(problems, of));
     const { history } = app;
     const steps = { stepped: () => history.add({ kind: "text", name: this.stepName || "text" }), undo: () => history.undo(), redo: () => history.redo() };
     this.editor = codeEditor().makeEditor(code, text, this.language, (now) => this.changed(now), steps);

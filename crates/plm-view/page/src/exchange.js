@@ -29,6 +29,8 @@ export class Exchange {
     this.candidate = null;
     /** A worker that waits for a text, so that none waits for a worker. @type {Carrier | null} */
     this.spare = null;
+    /** Whether one waits: a text that is typed will be followed by others. */
+    this.keepsSpare = true;
     /** The worker of what is shown. @type {Carrier | null} */
     this.shown = null;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -39,6 +41,10 @@ export class Exchange {
     this.count = 0;
     /** Why the last text is no mechanism; empty where it is one. */
     this.why = "";
+    /** Hears the name of what is shown; null where nothing is. @type {(name: string | null) => void} */
+    this.named = () => {};
+    /** Whether the first mechanism begins to move. */
+    this.begins = () => !matchMedia("(prefers-reduced-motion: reduce)").matches;
   }
 
   /**
@@ -59,7 +65,7 @@ export class Exchange {
           this.candidate = null;
         }
         if (is !== true) candidate.terminate();
-        this.spare ??= this.start();
+        if (this.keepsSpare) this.spare ??= this.start();
         resolve(is);
       };
       const refuse = (/** @type {string} */ why) => {
@@ -102,8 +108,15 @@ export class Exchange {
     app.runViews = [];
     app.selected = null;
     app.messages = [];
-    document.querySelector("h1")?.replaceChildren("Drawing");
+    this.named(null);
     app.change();
+  }
+
+  /** Nothing of it runs any more. */
+  end() {
+    this.clear();
+    for (const worker of [this.shown, this.spare]) worker?.terminate();
+    this.shown = this.spare = null;
   }
 
   /** @param {import("./format.js").RunHead} head @param {Carrier} worker @param {boolean} isLifted */
@@ -126,10 +139,9 @@ export class Exchange {
     if (before?.mechanism.name !== head.mechanism.name || before.followCamera.chosen !== null) live.followCamera.choose();
     this.count += 1;
     // Who draws stands at the start.
-    const goesOn = app.mode !== "draw" && (before?.isRunning ?? !matchMedia("(prefers-reduced-motion: reduce)").matches);
+    const goesOn = app.mode !== "draw" && (before?.isRunning ?? this.begins());
     if (goesOn) live.start();
-    document.title = head.mechanism.name;
-    document.querySelector("h1")?.replaceChildren(head.mechanism.name);
+    this.named(head.mechanism.name);
     app.change();
   }
 }

@@ -3,6 +3,7 @@
 // `languageWorker` goes into the worker as text, so that it uses nothing from outside of itself but what goes with it.
 
 import { instanceOf, writeText } from "./machine.js";
+import { workerOf } from "./startworker.js";
 
 /** @import {Carrier} from "./exchange.js" */
 
@@ -14,6 +15,7 @@ import { instanceOf, writeText } from "./machine.js";
  * @typedef {{range: Range, newText: string}} Edit
  * @typedef {{label: string, kind: number, detail: string, documentation: string}} Choice
  * @typedef {{name: string, files: Record<string, string>}} Package
+ * @typedef {{coordinates: [string, string][], mathml: string[], notes: string[], latex: string}} Written equations of motion
  * @typedef {{id?: number, method?: string, params?: any, result?: any, error?: {message: string}}} Message
  */
 
@@ -151,6 +153,11 @@ export class Language {
     return (await this.ask("plm/source", { kind })) ?? { why: "the compiler has given no answer" };
   }
 
+  /** The equations of motion of a text, which need not be open, or why there are none. @param {string} text @returns {Promise<Written | {why: string}>} */
+  async equations(text) {
+    return (await this.ask("plm/equations", { text })) ?? { why: "the compiler has given no answer" };
+  }
+
   /** The edits that give the text its layout. @returns {Promise<Edit[]>} */
   async layout() {
     return (await this.ask("textDocument/formatting", { options: { tabSize: 4, insertSpaces: true } })) ?? [];
@@ -180,7 +187,11 @@ export function languageWorker(scope) {
   };
 }
 
-/** The text of the worker. */
-export function languageText() {
-  return `${writeText}\n${instanceOf}\n${languageWorker}\nlanguageWorker(self);\n`;
+/** What starts workers that answer by a module. @param {WebAssembly.Module} module @returns {() => Carrier} */
+export function languageWorkerOf(module) {
+  return () => {
+    const worker = workerOf(`${writeText}\n${instanceOf}\n${languageWorker}\nlanguageWorker(self);\n`);
+    worker.postMessage({ kind: "module", module });
+    return worker;
+  };
 }

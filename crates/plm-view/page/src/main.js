@@ -5,6 +5,7 @@ import { App } from "./app.js";
 import { openHelp, openOptions } from "./dialogs.js";
 import { byId } from "./dom.js";
 import { chooseFile, embeddedResults, listenToDrops } from "./files.js";
+import { runFrames } from "./frames.js";
 import { listenToDeeds } from "./history.js";
 import { listenToKeys } from "./keys.js";
 import { makeMenu } from "./menu.js";
@@ -61,38 +62,6 @@ function assemblePage(app) {
   listenToPointers(app, canvas);
   listenToDrops(app);
   return { stage, panel, parts: [app.history, { update: () => app.live?.update() }, { update: showButtons }, { update: showMenu }, panel, stage, timeline] };
-}
-
-/**
- * Draws when something has changed, at most as often as the refresh rate allows; tells how far it is.
- * @param {App} app
- * @param {() => void} draw
- */
-function runFrames(app, draw) {
-  const frames = { isAsked: false, drawn: 0 };
-  let drawnAt = -Infinity;
-  const frame = (/** @type {number} */ now) => {
-    frames.isAsked = false;
-    // Half a millisecond, because frames of the screen do not come exactly in time.
-    if (now - drawnAt < 1000 / app.refreshRate - 2) {
-      ask();
-      return;
-    }
-    drawnAt = now;
-    app.player.tick(now);
-    draw();
-    frames.drawn += 1;
-    if (frames.drawn === 1) performance.mark("first frame");
-    if (app.isPlaying) ask();
-  };
-  const ask = () => {
-    if (frames.isAsked) return;
-    frames.isAsked = true;
-    requestAnimationFrame(frame);
-  };
-  app.onTouch = ask;
-  ask();
-  return frames;
 }
 
 /** @param {App} app */

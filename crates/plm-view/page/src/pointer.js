@@ -33,8 +33,9 @@ class Drag {
 /**
  * @param {App} app
  * @param {HTMLCanvasElement} canvas
+ * @param {boolean} [isInPage] whether a page around it is scrolled by wheel and fingers, too
  */
-export function listenToPointers(app, canvas) {
+export function listenToPointers(app, canvas, isInPage = false) {
   /** @type {Map<number, Spot>} */
   const down = new Map();
   /** @type {Drag | null} */
@@ -86,6 +87,7 @@ export function listenToPointers(app, canvas) {
   canvas.addEventListener(
     "wheel",
     (event) => {
+      if (isInPage && !event.ctrlKey && !event.metaKey) return;
       event.preventDefault();
       const { dx, dy } = fromMiddle(app, spot(event));
       app.view.zoom(Math.exp(-0.0015 * event.deltaY * (event.deltaMode === 1 ? 16 : 1)), dx, dy);
@@ -93,6 +95,8 @@ export function listenToPointers(app, canvas) {
     },
     { passive: false },
   );
+  // A finger that holds a body does not scroll the page.
+  canvas.addEventListener("touchstart", (event) => isInPage && app.drag !== null && event.preventDefault(), { passive: false });
 }
 
 /**

@@ -165,5 +165,6 @@ export function liveWorker(scope) {
 
 /** The text of the worker. */
 export function workerText() {
-  return `${writeText}\n${instanceOf}\n${LiveMachine}\n${liveWorker}\nliveWorker(self);\n`;
+  // By name, whatever a bundler makes of a class at the top.
+  return `${writeText}\n${instanceOf}\nconst LiveMachine = ${LiveMachine};\n${liveWorker}\nliveWorker(self);\n`;
 }

@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { App } from "../src/app.js";
 import { COMMANDS, commandsOf, LIVE_COMMANDS } from "../src/commands.js";
 import { Live, LIVE_WINDOW } from "../src/live.js";
-import { rangeAround } from "../src/livepanel.js";
+import { rangeAround } from "../src/dials.js";
 import { Player } from "../src/player.js";
 import { readResults } from "../src/results.js";
 import { Run } from "../src/run.js";

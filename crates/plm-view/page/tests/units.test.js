@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { forceField } from "../src/arrows.js";
-import { rangeAround } from "../src/livepanel.js";
+import { rangeAround } from "../src/dials.js";
 import { valueOf } from "../src/settings.js";
 import { fromSi, toSi } from "../src/numbers.js";
 import { readResults } from "../src/results.js";

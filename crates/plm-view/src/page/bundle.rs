@@ -73,6 +73,7 @@ const MODULES: &[(&str, &str)] = &[
     ("stage", include_str!("../../page/src/stage.js")),
     ("settings", include_str!("../../page/src/settings.js")),
     ("address", include_str!("../../page/src/address.js")),
+    ("frames", include_str!("../../page/src/frames.js")),
     ("main", include_str!("../../page/src/main.js")),
 ];
 
@@ -89,6 +90,7 @@ const LIVE: &[(&str, &str)] = &[
     ("followcamera", include_str!("../../page/src/followcamera.js")),
     ("keptstates", include_str!("../../page/src/keptstates.js")),
     ("live", include_str!("../../page/src/live.js")),
+    ("dials", include_str!("../../page/src/dials.js")),
     ("livepanel", include_str!("../../page/src/livepanel.js")),
     ("drag", include_str!("../../page/src/drag.js")),
 ];
@@ -105,6 +107,7 @@ const PLAYGROUND: &[(&str, &str)] = &[
     ("exchange", include_str!("../../page/src/exchange.js")),
     ("language", include_str!("../../page/src/language.js")),
     ("editorpane", include_str!("../../page/src/editorpane.js")),
+    ("equations", include_str!("../../page/src/equations.js")),
     ("heldpin", include_str!("../../page/src/heldpin.js")),
     ("sketch", include_str!("../../page/src/sketch.js")),
     ("sketchdraw", include_str!("../../page/src/sketchdraw.js")),

@@ -1,28 +1,13 @@
 // A hand that draws in the playground, and what it sees there.
 
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
-import { pathToFileURL } from "node:url";
-import { packText } from "../../src/packedtext.js";
-import { open, skip as withoutBrowser, state, until } from "./browser.js";
+import { state, until } from "./browser.js";
+import { playground, problems, typed } from "./playground.js";
 
-const file = process.env["PLM_PLAYGROUND"] ?? "";
-export const skip =
-  withoutBrowser || (existsSync(file) ? false : "skipped: there is no playground; `bash examples/playground/build.sh` makes it, and PLM_PLAYGROUND names it");
-const address = skip ? "" : pathToFileURL(file).href;
 /** Between two actions of a hand, ms. */
 const PAUSE = 300;
 
-export const typed = (page) => page.evaluate(() => window.plmPlay.pane.editor.text());
-export const problems = (page) => page.locator("#problems li").allTextContents();
 export const isCurrent = (page) => page.waitForFunction(() => window.plmPlay.sketch.isCurrent && window.plmPage.app.live.run.rows > 0);
-
-export async function playground(text = null, how = {}) {
-  const hash = text === null ? "" : `#text=${await packText(text)}`;
-  const opened = await open(address, { plays: true, hash, ...how });
-  await opened.page.waitForFunction(() => window.plmPage.app.live.run.rows > 3);
-  return opened;
-}
 
 /** Where a place of the sheet, mm, is on the page. */
 export const onScreen = (page, x, y) =>
