@@ -4,6 +4,7 @@
 mod check;
 mod drawings;
 mod export;
+mod export_links;
 mod export_models;
 mod extension;
 mod files;
