@@ -21,4 +21,4 @@ cmp "$target/by-module" "$target/by-steps"
 printf '%d texts have the bits of the ordinary program\n' "${#files[@]}"
 
 PLM_PLAYGROUND=$PWD/target/plm/playground.html \
-    node --test --test-reporter=spec crates/plm-view/page/browser/playground.test.js crates/plm-view/page/browser/sketch.test.js
+    node --test --test-reporter=spec crates/plm-view/page/browser/playground.test.js crates/plm-view/page/browser/sketch.test.js crates/plm-view/page/browser/drawn.test.js crates/plm-view/page/browser/deeds.test.js

@@ -37,6 +37,8 @@ pub struct Server {
     stale: Vec<String>,
     /// Does the editor take snippets?
     with_snippets: bool,
+    /// The pin of a drag that goes on.
+    dragging: Option<draw::Dragging>,
 }
 
 impl Server {
@@ -99,12 +101,12 @@ impl Server {
         None
     }
 
-    fn answer(&self, request: Request) -> Response {
+    fn answer(&mut self, request: Request) -> Response {
         let Request { id, method, params } = request;
         let uri = params["textDocument"]["uri"].as_str().unwrap_or_default();
         // A page draws on a text of its own, which need not be open.
         if let ("plm/draw", Some(text)) = (method.as_str(), params["text"].as_str()) {
-            let drawn = without_panic(|| draw::answered_of_text(uri, text, &params));
+            let drawn = without_panic(|| draw::answered_of_text(uri, text, &params, &mut self.dragging));
             return match drawn {
                 Ok(drawn) => Response::new_ok(id, drawn),
                 Err(what) => {

@@ -16,7 +16,7 @@ import { csvText, resultsFile } from "./write.js";
 
 /**
  * A quantity that is set by a slider and by a number, in its declared unit.
- * @typedef {{kind: "parameter" | "input", index: number, factor: number, slider: HTMLInputElement, field: HTMLInputElement}} Dial
+ * @typedef {{kind: "parameter" | "input", index: number, factor: number, slider: HTMLInputElement, field: HTMLInputElement, write: HTMLButtonElement, usual: number | null}} Dial
  */
 
 export class LivePanel {
@@ -119,8 +119,11 @@ export class LivePanel {
     field.addEventListener("input", () => field.setAttribute("data-typed", ""));
     for (const end of ["change", "blur"]) field.addEventListener(end, () => field.removeAttribute("data-typed"));
     const label = element("label", { for: id }, name);
-    this.dials.push({ kind, index, factor, slider, field });
-    return element("div", { class: "dial" }, label, slider, field, element("span", { class: "faint" }, typeset(unit)));
+    // In a page with the text of the mechanism the value is written there.
+    const write = element("button", { type: "button", class: "write", id: `${id}-write`, hidden: true, title: `${name} has this value in the text` }, "Write into the text");
+    write.addEventListener("click", () => this.app.sketch?.make(`write ${name}`, { kind: "set", name, value: live.settings[kind][index] }));
+    this.dials.push({ kind, index, factor, slider, field, write, usual: usual ?? null });
+    return element("div", { class: "dial" }, label, slider, field, element("span", { class: "faint" }, typeset(unit)), write);
   }
 
   update() {
@@ -154,8 +157,10 @@ export class LivePanel {
   }
 
   /** Shows a value, with its slider made longer where it stands outside. @param {Dial} dial */
-  turn({ kind, index, factor, slider, field }) {
-    const shown = fromSi(this.live.settings[kind][index] ?? NaN, factor);
+  turn({ kind, index, factor, slider, field, write, usual }) {
+    const value = this.live.settings[kind][index];
+    const shown = fromSi(value ?? NaN, factor);
+    write.hidden = this.app.sketch === null || usual === null || value === usual;
     if (!Number.isFinite(shown)) return;
     showIn(field, String(shown));
     if (document.activeElement === slider && Math.abs(Number(slider.value) - shown) <= 0.51 * Number(slider.step)) return;
