@@ -21,4 +21,4 @@ cmp "$target/by-module" "$target/by-steps"
 printf '%d texts have the bits of the ordinary program\n' "${#files[@]}"
 
 PLM_PLAYGROUND=$PWD/target/plm/playground.html \
-    node --test --test-reporter=spec crates/plm-view/page/browser/{playground,sketch,equations}.test.js
+    node --test --test-reporter=spec crates/plm-view/page/browser/{playground,sketch,drawn,deeds,equations}.test.js

@@ -13,7 +13,7 @@ use crate::refusal::Refusal;
 use crate::sheet::Sheet;
 
 /// Columns of a level of the layout.
-const LEVEL: usize = 4;
+pub(crate) const LEVEL: usize = 4;
 
 /// The name of a mechanism that a drawing begins.
 const FIRST: &str = "Drawing";
@@ -113,7 +113,7 @@ pub(crate) fn opening(sheet: &Sheet<'_>) -> Result<usize, Refusal> {
 }
 
 /// The indentation of the line in which a byte stands.
-fn indentation(text: &str, at: usize) -> usize {
+pub(crate) fn indentation(text: &str, at: usize) -> usize {
     let line = text[..at].rfind('\n').map_or(0, |end| end + 1);
     text[line..].len() - text[line..].trim_start_matches(' ').len()
 }

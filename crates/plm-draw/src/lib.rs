@@ -17,33 +17,39 @@
 //! ```
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+mod copy;
+mod draw;
 mod edit;
 mod gesture;
 mod insert;
 pub mod layout;
 pub mod lexer;
 mod lift;
+mod mirror;
 mod names;
 mod number;
 mod picture;
+mod port;
 mod refusal;
 mod remove;
 mod rename;
 mod rules;
+mod setting;
 mod sheet;
 mod sketch;
 mod slide;
 mod tools;
 mod typed;
 
+pub use draw::{draw, follow};
 pub use edit::{Edit, applied, as_declared, inverse};
-pub use gesture::{Drawn, End, Gesture, draw, follow};
+pub use gesture::{Drawn, End, Gesture};
 pub use lift::{LIFTED, Lifted};
 pub use names::{GROUND, PortName};
 pub use number::{Change, Literal, decimal_step};
 pub use picture::{Picture, Placed, Point};
 pub use refusal::Refusal;
-pub use rules::Drag;
+pub use rules::{Drag, Held};
 pub use sheet::{Axes, Handle, Place, Sheet};
 pub use sketch::{Sketch, SketchPart};
 pub use tools::{TOOLS, Tool};

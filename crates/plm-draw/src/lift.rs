@@ -1,14 +1,18 @@
-//! Lift: numbers under the hand become parameters, so that a drag sets values of a mechanism that was compiled once.
+//! Lift: numbers become parameters. Those under a hand do so for as long as it holds them, so that a drag sets values of a mechanism that
+//! was compiled once; a dimension that is locked stays one.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use crate::draw::handle_of;
 use crate::edit::{Edit, applied};
-use crate::insert::opening;
+use crate::gesture::Drawn;
+use crate::insert::{Words, indentation, opening};
+use crate::names::PortName;
 use crate::number::{Change, Literal};
 use crate::refusal::Refusal;
 use crate::rules::Dragged;
-use crate::sheet::Sheet;
+use crate::sheet::{Place, Sheet};
 
 /// A text with parameters in the place of numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,18 +29,27 @@ pub const LIFTED: &str = "plm_drag_";
 /// The text with parameters in the place of the numbers that a drag changes.
 pub(crate) fn lifted(sheet: &Sheet<'_>, dragged: &Dragged) -> Result<Lifted, Refusal> {
     let parameters: Vec<String> = (0..dragged.changes.len()).map(|at| format!("{LIFTED}{at}")).collect();
-    let mut declared = Vec::new();
-    for (Change { literal, .. }, name) in dragged.changes.iter().zip(&parameters) {
-        let number = sheet.text.get(literal.range.clone()).unwrap_or_default();
-        let unit = &literal.unit.text;
-        declared.push(format!(" param {name}: {unit} = {number} {unit};"));
-    }
+    let literals = dragged.changes.iter().map(|Change { literal, .. }| literal);
+    let named: Vec<(&Literal, &str)> = literals.zip(parameters.iter().map(String::as_str)).collect();
+    let declared: Vec<String> = named.iter().map(|of| format!(" {}", declaration(sheet, of))).collect();
+    let mut edits = replaced(sheet, &named);
+    let open = opening(sheet)?;
+    edits.insert(open, (open..open, declared.concat()));
+    let edits: Vec<Edit> = edits.into_values().map(|(range, new)| Edit::new(range, new)).collect();
+    Ok(Lifted { text: applied(sheet.text, &edits), parameters })
+}
+
+/// The declaration of a number as a parameter.
+fn declaration(sheet: &Sheet<'_>, (literal, name): &(&Literal, &str)) -> String {
+    let number = sheet.text.get(literal.range.clone()).unwrap_or_default();
+    let unit = &literal.unit.text;
+    format!("param {name}: {unit} = {number} {unit};")
+}
+
+/// Numbers with names in their place, by where they stand.
+fn replaced(sheet: &Sheet<'_>, named: &[(&Literal, &str)]) -> BTreeMap<usize, (Range<usize>, String)> {
     let of = |literal: &Literal| {
-        dragged
-            .changes
-            .iter()
-            .position(|change| change.literal.range == literal.range)
-            .map(|at| &parameters[at])
+        named.iter().find(|(known, _)| known.range == literal.range).map(|(_, name)| (*name).to_owned())
     };
     let mut replaced = BTreeMap::new();
     for (numbers, pair) in sheet.shared_pairs() {
@@ -46,19 +59,43 @@ pub(crate) fn lifted(sheet: &Sheet<'_>, dragged: &Dragged) -> Result<Lifted, Ref
         // The unit behind a pair would be that of the parameter too.
         let part = |literal: &Literal| {
             let number = sheet.text.get(literal.range.clone()).unwrap_or_default();
-            of(literal).cloned().unwrap_or_else(|| format!("{number} {}", literal.unit.text))
+            of(literal).unwrap_or_else(|| format!("{number} {}", literal.unit.text))
         };
         let [x, y] = numbers.each_ref().map(part);
         replaced.insert(pair.start, (pair, format!("({x}, {y})")));
     }
-    for (Change { literal, .. }, name) in dragged.changes.iter().zip(&parameters) {
+    for (literal, name) in named {
         let range = &literal.whole;
         if !replaced.values().any(|(pair, _): &(Range<usize>, String)| pair.contains(&range.start)) {
-            replaced.insert(range.start, (range.clone(), name.clone()));
+            replaced.insert(range.start, (range.clone(), (*name).to_owned()));
         }
     }
+    replaced
+}
+
+/// A number of the place of a port becomes a parameter of the mechanism, by which it is set, and no hand moves it any more.
+///
+/// # Errors
+/// The text has no such port, or it stands where an expression says.
+pub(crate) fn locked(sheet: &Sheet<'_>, port: &PortName, axis: usize) -> Result<Drawn, Refusal> {
+    let handles = sheet.handles();
+    let handle = handle_of(&handles, port)?;
+    let (numbers, through) = match &handle.place {
+        Place::Numbers { numbers, through, .. } => (numbers, through),
+        Place::Expression(text) => {
+            return Err(Refusal::Expression { port: port.clone(), text: text.clone() });
+        }
+    };
+    let stem = through.map_or_else(|| format!("{}_{}", port.owner, port.port), str::to_owned);
+    let stem: String = stem.chars().filter(|letter| letter.is_alphanumeric() || *letter == '_').collect();
+    let mut words = Words::of(sheet.text);
+    let name = format!("{stem}_{}", ["x", "y"][axis.min(1)]);
+    let name = if words.has(&name) { words.fresh(&format!("{name}_")) } else { name };
+    let named = [(&numbers[axis.min(1)], name.as_str())];
+    let mut edits = replaced(sheet, &named);
     let open = opening(sheet)?;
-    replaced.insert(open, (open..open, declared.concat()));
-    let edits: Vec<Edit> = replaced.into_values().map(|(range, new)| Edit::new(range, new)).collect();
-    Ok(Lifted { text: applied(sheet.text, &edits), parameters })
+    let indent = indentation(sheet.text, open) + crate::insert::LEVEL;
+    edits.insert(open, (open..open, format!("\n{:indent$}{}", "", declaration(sheet, &named[0]))));
+    let edits = edits.into_values().map(|(range, new)| Edit::new(range, new)).collect();
+    Ok(Drawn { edits, made: vec![name.clone()], ..Drawn::default() })
 }

@@ -32,6 +32,12 @@ pub enum Refusal {
     Taken(String),
     /// A motion of the body is prescribed already.
     Driven(String),
+    /// Not two bars meet in the pin.
+    NoDyad(PortName),
+    /// The value of a parameter is no number.
+    Formula(String),
+    /// A repetition makes the body, so that what it gets all of its turns would get.
+    Repeated(String),
     /// Typed text is no number in a unit that fits.
     NoNumber(String),
     /// The body is no bar between two ports, or its angle has no number.
@@ -56,6 +62,13 @@ impl fmt::Display for Refusal {
             ),
             Refusal::Taken(name) => write!(f, "the text has a `{name}` already"),
             Refusal::Driven(body) => write!(f, "the motion of `{body}` is prescribed already"),
+            Refusal::NoDyad(port) => {
+                write!(f, "`{port}` is no pin of two bars alone, which could be mirrored")
+            }
+            Refusal::Formula(name) => {
+                write!(f, "the value of `{name}` is a formula: it is changed in the text")
+            }
+            Refusal::Repeated(body) => write!(f, "a repetition makes `{body}`: it is changed in the text"),
             Refusal::NoNumber(text) => write!(f, "`{text}` is no number in a unit that fits here"),
             Refusal::NoBar(port) => {
                 write!(f, "`{port}` is no end of a bar whose length and angle are numbers")

@@ -287,7 +287,7 @@ fn without_ports(sheet: &Sheet<'_>, owner: &str, ports: &[Port], gone: &Gone) ->
 }
 
 /// From the word `port` to its semicolon.
-fn statement(sheet: &Sheet<'_>, port: &Port) -> Range<usize> {
+pub(crate) fn statement(sheet: &Sheet<'_>, port: &Port) -> Range<usize> {
     let name = sheet.range(port.name.ident.span);
     let start = sheet.text[..name.start].rfind("port").unwrap_or(name.start);
     let rest = &sheet.text[name.end..];

@@ -1,6 +1,7 @@
 //! Slides: a port is guided along a line of the ground, as the cross-head of a crank drive is.
 
-use crate::gesture::{Drawn, handle_of, place_of, point_at, point_of};
+use crate::draw::{handle_of, place_of, point_at, point_of};
+use crate::gesture::Drawn;
 use crate::insert::{Insertion, Section, Words};
 use crate::names::{GROUND, PortName};
 use crate::number::rounded;

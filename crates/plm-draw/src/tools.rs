@@ -20,10 +20,9 @@ pub struct Tool {
 }
 
 /// Tools that join two ports that are there.
-pub const TOOLS: [Tool; 5] = [
+pub const TOOLS: [Tool; 4] = [
     Tool { word: "pin", part: "revolute", title: "Pin", fields: "" },
     Tool { word: "weld", part: "weld", title: "Weld", fields: "" },
-    Tool { word: "slot", part: "pin_slot", title: "Slot", fields: "" },
     Tool {
         word: "spring",
         part: "spring",

@@ -3,7 +3,7 @@
 //! URDF, SDF and MJCF describe mechanisms in space. Where all hinges of one are parallel and all slides stand across them, its motion is
 //! planar, and [`mechanism`] writes the declaration that has the same motion. Each element of the file that could not be taken is a
 //! [`Notice`] with its place: a warning where it is left out, an error where the motion would be another one without it.
-//! [`to_mjcf`] and [`to_urdf`] write a compiled mechanism as a file for other programs.
+//! [`to_mjcf`] and [`to_urdf`] write a compiled mechanism as a file for other programs, [`to_links`] draws its links in true size.
 //! [`outline`] converts a DXF drawing to the contour of a body.
 
 mod drake;
@@ -27,7 +27,7 @@ mod xml;
 use std::rc::Rc;
 
 pub use self::dxf::{Selection, drawing_text, outline};
-pub use self::export::{Exported, PlaceOf, to_mjcf, to_urdf};
+pub use self::export::{Cutting, Drawing, Exported, Links, PlaceOf, to_links, to_mjcf, to_urdf};
 pub use self::notice::{Level, Notice, Place};
 
 use self::names::Names;

@@ -92,7 +92,7 @@ fn corners(solid: &Solid) -> Vec<Vector> {
 
 /// The convex hull, counter-clockwise (A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979), without
 /// points that lie on its sides.
-fn hull(points: &mut [[f64; 2]]) -> Vec<[f64; 2]> {
+pub(crate) fn hull(points: &mut [[f64; 2]]) -> Vec<[f64; 2]> {
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let size = points.iter().flatten().fold(0.0_f64, |size, part| size.max(part.abs()));
     let half = |points: &mut dyn Iterator<Item = &[f64; 2]>| {

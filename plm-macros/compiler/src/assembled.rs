@@ -68,6 +68,10 @@ pub struct AssembledBody {
     pub ports: Vec<PicturePort>,
     /// Points from G, in the axes of the body, m; none without outline.
     pub contour: Vec<[f64; 2]>,
+    /// Holes of the outline, in the same axes, m.
+    pub holes: Vec<Vec<[f64; 2]>>,
+    /// Width of the rounded hull of the ports, m; nothing where none is declared.
+    pub width: Option<f64>,
 }
 
 /// A part of the declaration.
@@ -195,6 +199,8 @@ fn body(body: &Body, (q, v): (&[f64], &[f64]), number: &impl Fn(Expr) -> f64) ->
         depth: body.depth.map_or(0.0, number),
         ports: body.ports.iter().map(|row| port(row, number)).collect_vec(),
         contour: points(&body.contour, number),
+        holes: body.holes.iter().map(|hole| points(hole, number)).collect_vec(),
+        width: body.width.map(number),
     }
 }
 

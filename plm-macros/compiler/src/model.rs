@@ -259,6 +259,8 @@ pub struct Body {
     pub start_velocity: [Start; 3],
     /// Outline for pictures: points from G in the body's axes, m; empty if there is none.
     pub contour: Vec<Vec2>,
+    /// Width of the outline round its ports, m; of a body without contour.
+    pub width: Option<Expr>,
     /// Holes of the contour, in the same axes, m.
     pub holes: Vec<Vec<Vec2>>,
     /// Depth for pictures, m.

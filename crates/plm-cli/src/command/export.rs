@@ -1,5 +1,7 @@
 //! `plm export`: a declaration as a project, from which cargo makes a program, C, an FMU or a wheel, as C source, as a file of MuJoCo or
-//! ROS, or as a link to the playground.
+//! ROS, as drawings of its links, or as a link to the playground.
+
+mod links;
 
 use std::fs;
 use std::io::ErrorKind;
@@ -24,7 +26,7 @@ use crate::read;
 pub(super) const COMMAND: Command = Command {
     name: "export",
     usage: "FILE --rust FOLDER …",
-    title: "writes a project that makes a program, C, an FMU or a wheel of a declaration, its C source, MJCF or URDF, or a link",
+    title: "writes a project that makes a program, C, an FMU or a wheel of a declaration, its C source, MJCF or URDF, drawings of its links, or a link",
     options: &[
         ("--rust FOLDER", "a Rust package whose program runs the mechanism"),
         ("--c FOLDER", "the same package, and how it makes a library for C and C++"),
@@ -38,6 +40,18 @@ pub(super) const COMMAND: Command = Command {
         ("--interface NAME", "of --fmu-source: `model-exchange` or `co-simulation` alone"),
         ("--mjcf FILE", "a model of MuJoCo; `-` is the standard output"),
         ("--urdf FILE", "a robot of ROS; `-` is the standard output"),
+        (
+            "--dxf FOLDER",
+            "its links in true size as DXF, side by side and each alone, with tables of pins and lengths",
+        ),
+        ("--svg FOLDER", "the same as SVG"),
+        (
+            "--until SECONDS",
+            "of --dxf and --svg: the motion over which links that meet get different layers, and slots their lengths",
+        ),
+        ("--hole MM", "of --dxf and --svg: diameter of holes for pins, 5 mm without it"),
+        ("--width MM", "of --dxf and --svg: width of links that declare none, 20 mm without it"),
+        ("--kerf MM", "of --dxf and --svg: width of what a laser takes away"),
         ("--link ADDRESS", "a link that opens it in the playground at this address, on the standard output"),
         ("--name NAME", "the declaration of a file that has several"),
         ("--plm FOLDER", "a clone of plm, in place of the crate of the registry"),
@@ -79,6 +93,7 @@ enum Wanted {
     Ros2(PathBuf),
     SourceFmu(PathBuf, Version, Option<Interfaces>),
     File(Format, String),
+    Links(links::Wanted),
     Link(String),
 }
 
@@ -102,10 +117,12 @@ impl Asked {
             wanted.extend(words.value(option).map(|file| Wanted::File(format, file)));
         }
         wanted.extend(of_source(words)?);
+        wanted.extend(links::Wanted::asked(words)?.into_iter().map(Wanted::Links));
         wanted.extend(words.value("--link").map(Wanted::Link));
         let (Some(wanted), true) = (wanted.pop(), wanted.is_empty()) else {
             return Err(
-                "an export makes one of --rust, --c, --c-source, --fmu, --fmu-source, --python, --ros2, --mjcf, --urdf and --link"
+                "an export makes one of --rust, --c, --c-source, --fmu, --fmu-source, --python, --ros2, --mjcf, --urdf, \
+                 --dxf, --svg and --link"
                     .into(),
             );
         };
@@ -233,6 +250,21 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             } else {
                 write(&[(path.into(), &text)], asked.overwrites, streams)?;
             }
+            Ok(Outcome::Good)
+        }
+        Wanted::Links(wanted) => {
+            let assembled = expansion.oracle.as_ref().map(Oracle::assembled);
+            let mechanism = assembled.ok_or("there is no mechanism in it")?;
+            let named = (file.name.as_str(), text.as_str());
+            let (links, ended) = wanted.links(&mechanism, named, &|span| place(&sources, span))?;
+            for notice in &links.notices {
+                writeln!(streams.errors, "{notice}")?;
+            }
+            if let Some(ended) = ended {
+                writeln!(streams.errors, "warning: {ended}")?;
+            }
+            let files = links.files.iter().map(|(name, text)| (wanted.folder.join(name), text.as_str()));
+            write(&files.collect::<Vec<_>>(), asked.overwrites, streams)?;
             Ok(Outcome::Good)
         }
         Wanted::Link(address) => {

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use plm_compiler::without_panic;
 use plm_draw::{
-    Dimension, Drag, Drawn, Edit, End, GROUND, Gesture, Handle, Literal, Picture, Place, Placed, Point,
+    Dimension, Drag, Drawn, Edit, End, GROUND, Gesture, Handle, Held, Literal, Picture, Place, Placed, Point,
     PortName, Refusal, Sheet, SketchPart, TOOLS, Typed, draw, follow, lift,
 };
 use serde_json::{Value, json};
@@ -34,10 +34,53 @@ pub(super) fn answered(document: &Document, params: &Value) -> Value {
 }
 
 /// Such an answer for a text that is not open.
-pub(super) fn answered_of_text(uri: &str, original: &str, params: &Value) -> Value {
+///
+/// A drag that goes on asks for the same pin of the same text again and again: it is kept, so that only its first move reads the text.
+pub(super) fn answered_of_text(
+    uri: &str,
+    original: &str,
+    params: &Value,
+    kept: &mut Option<Dragging>,
+) -> Value {
+    let asked = &params["gesture"];
+    let is_plain = text::path(uri).ends_with(".plm") && !original.contains('\r');
+    if is_plain && asked["kind"] == "drag" && asked["live"] == true {
+        return followed(original, params, kept).unwrap_or_else(|Unread(expected)| unread(expected));
+    }
     let (name, text) = (text::path(uri), original.replace("\r\n", "\n"));
     let masked = excerpts(&name, &text).found.first().and_then(|excerpt| excerpt.masked(&text));
     answer(&name, &text, masked.as_deref(), params)
+}
+
+/// The pin of a drag that goes on, and the text that it is of.
+pub(super) struct Dragging {
+    text: String,
+    held: Held,
+}
+
+/// The values of a drag that goes on.
+fn followed(text: &str, params: &Value, kept: &mut Option<Dragging>) -> Result<Value, Unread> {
+    let (drag, picture) = (dragged(&params["gesture"])?, picture_of(&params["places"]).unwrap_or_default());
+    let is_kept = kept
+        .as_ref()
+        .is_some_and(|kept| kept.text == text && kept.held.is_of(&picture, &drag.port, drag.free));
+    if !is_kept {
+        match Held::take(&Sheet::read(text, None), &picture, &drag.port, drag.free) {
+            Ok(held) => *kept = Some(Dragging { text: text.to_owned(), held }),
+            Err(why) => return Ok(json!({ "why": why.to_string() })),
+        }
+    }
+    let held = kept.as_ref().map(|kept| &kept.held);
+    Ok(held.map_or(Value::Null, |held| shown(text, follow(held, drag.to, drag.grid))))
+}
+
+/// The places that a page tells.
+fn picture_of(places: &Value) -> Option<Picture> {
+    Some(Picture { ports: places.as_array()?.iter().filter_map(placed).collect() })
+}
+
+fn unread(expected: &str) -> Value {
+    json!({ "why": format!("the gesture has no {expected}") })
 }
 
 fn answer(name: &str, text: &str, masked: Option<&str>, params: &Value) -> Value {
@@ -51,20 +94,20 @@ fn answer(name: &str, text: &str, masked: Option<&str>, params: &Value) -> Value
         }
         _ => {}
     }
-    let picture = match params["places"].as_array() {
-        Some(places) => Picture { ports: places.iter().filter_map(placed).collect() },
-        None => without_panic(|| assembled(name, text, masked)).unwrap_or_default(),
-    };
+    let picture = picture_of(&params["places"])
+        .unwrap_or_else(|| without_panic(|| assembled(name, text, masked)).unwrap_or_default());
     let result = match asked["kind"].as_str().unwrap_or_default() {
         "pin" => port(&asked["port"]).map(|port| sheet.pin(&port).iter().map(named).collect()),
         // A drag that goes on is not laid out.
         "drag" if asked["live"] == true => {
-            dragged(asked).map(|drag| shown(text, follow(&sheet, &picture, &drag)))
+            let taken = |drag: &Drag| Held::take(&sheet, &picture, &drag.port, drag.free);
+            let followed = |drag: &Drag| taken(drag).and_then(|held| follow(&held, drag.to, drag.grid));
+            dragged(asked).map(|drag| shown(text, followed(&drag)))
         }
         "lift" => dragged(asked).map(|drag| lifted(&sheet, &picture, &drag)),
         _ => gesture(asked).map(|gesture| shown(text, draw(&sheet, &picture, &gesture))),
     };
-    result.unwrap_or_else(|Unread(expected)| json!({ "why": format!("the gesture has no {expected}") }))
+    result.unwrap_or_else(|Unread(expected)| unread(expected))
 }
 
 /// The ports of a text as it is assembled; none where it has errors.
@@ -174,6 +217,15 @@ fn gesture(asked: &Value) -> Result<Gesture, Unread> {
             Gesture::Join { tool: word("tool", "tool")?, ports, grid }
         }
         "slide" => Gesture::Slide { port: port(&asked["port"])?, toward: point(&asked["toward"])?, grid },
+        "groove" => Gesture::Groove { port: port(&asked["port"])?, body: word("body", "body")?, grid },
+        "port" => Gesture::Port { body: word("body", "body")?, end: end(&asked["end"])?, grid },
+        "mirror" => Gesture::Mirror { port: port(&asked["port"])?, grid },
+        "copy" => Gesture::Copy { body: word("body", "body")?, by: point(&asked["by"])?, grid },
+        "lock" => Gesture::Lock { port: port(&asked["port"])?, axis: usize::from(asked["dimension"] == "y") },
+        "set" => {
+            let value = asked["value"].as_f64().ok_or(Unread("value that is a number"))?;
+            Gesture::Set { name: word("name", "name")?, value }
+        }
         "unpin" => Gesture::Unpin { port: port(&asked["port"])? },
         "delete" if is_of_port => Gesture::DeletePort { port: port(&asked["port"])? },
         "delete" => Gesture::Delete { name: word("name", "name")? },

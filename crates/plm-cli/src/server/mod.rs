@@ -37,6 +37,8 @@ pub struct Server {
     stale: Vec<String>,
     /// Does the editor take snippets?
     with_snippets: bool,
+    /// The pin of a drag that goes on.
+    dragging: Option<draw::Dragging>,
 }
 
 impl Server {
@@ -99,12 +101,14 @@ impl Server {
         None
     }
 
-    fn answer(&self, request: Request) -> Response {
+    fn answer(&mut self, request: Request) -> Response {
         let Request { id, method, params } = request;
         let uri = params["textDocument"]["uri"].as_str().unwrap_or_default();
         // A page asks about a text of its own, which need not be open.
         let of_text = params["text"].as_str().and_then(|text| match method.as_str() {
-            "plm/draw" => Some(without_panic(|| draw::answered_of_text(uri, text, &params))),
+            "plm/draw" => {
+                Some(without_panic(|| draw::answered_of_text(uri, text, &params, &mut self.dragging)))
+            }
             "plm/equations" => Some(without_panic(|| home::equations(&Document::new(uri, text.to_owned())))),
             _ => None,
         });

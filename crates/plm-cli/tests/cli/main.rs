@@ -2,8 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 mod check;
+mod drag;
 mod drawings;
 mod export;
+mod export_links;
 mod export_models;
 mod extension;
 mod files;

@@ -5,7 +5,6 @@
 
 mod bar;
 mod free;
-mod through;
 
 use std::ops::Range;
 
@@ -13,8 +12,9 @@ use crate::names::PortName;
 use crate::number::{Change, Literal};
 use crate::picture::{Picture, Placed, Point, between, on_ray};
 use crate::refusal::Refusal;
-use crate::sheet::{Handle, Joint, Place, Sheet};
+use crate::sheet::{Axes, Handle, Joint, Place, Sheet};
 pub(crate) use bar::Bar;
+pub(crate) use free::turn as turn_of_axes;
 
 /// Numbers are written to this part of the grid, so that turned axes and lengths are as exact as the hand.
 pub(crate) const FINE: f64 = 0.01;
@@ -71,10 +71,115 @@ impl Rule {
 }
 
 /// A port of a pin, in the text and in the picture.
-struct Member<'s, 'p> {
-    handle: Handle<'s>,
-    placed: &'p Placed,
+#[derive(Clone, Debug)]
+struct Member {
+    numbers: [Literal; 2],
+    axes: Axes,
+    placed: Placed,
     rule: Rule,
+}
+
+/// A pin that a hand holds: all that the text and the picture say of it, so that a move is numbers alone.
+#[derive(Clone, Debug)]
+pub struct Held {
+    port: PortName,
+    free: bool,
+    members: Vec<Member>,
+    picture: Picture,
+    open: Vec<String>,
+    /// Ports of other bodies, with where their numbers stand.
+    elsewhere: Vec<(PortName, [Range<usize>; 2])>,
+}
+
+impl Held {
+    /// Takes the pin of a port. Where `free` holds, bars keep their poses, and their ports go.
+    ///
+    /// # Errors
+    /// A port of the pin stands where an expression says, or is not shown.
+    pub fn take(sheet: &Sheet<'_>, picture: &Picture, port: &PortName, free: bool) -> Result<Held, Refusal> {
+        let handles = sheet.handles();
+        let (mut members, pin) = (Vec::new(), sheet.pin(port));
+        for name in &pin {
+            let found = handles.iter().find(|handle| handle.name == *name);
+            let handle = found.ok_or_else(|| Refusal::Unknown(name.to_string()))?;
+            let placed = picture.port(name).ok_or_else(|| Refusal::NotShown(name.clone()))?.clone();
+            let rule = Rule::of(sheet, &handles, handle, free);
+            match &handle.place {
+                Place::Numbers { numbers, .. } => {
+                    members.push(Member { numbers: (**numbers).clone(), axes: handle.axes, placed, rule });
+                }
+                Place::Expression(text) => {
+                    return Err(Refusal::Expression { port: name.clone(), text: text.clone() });
+                }
+            }
+        }
+        let joints = sheet.joints();
+        let holds = |joint: &&Joint| {
+            pin.iter().any(|name| joint.ports.contains(name)) && !joint.is_pin() && !joint.is_load()
+        };
+        let open = joints.iter().filter(holds).map(|joint| joint.name.clone()).collect();
+        let others = handles.iter().filter(|handle| !pin.iter().any(|name| name.owner == handle.name.owner));
+        let elsewhere = others.filter_map(|handle| match &handle.place {
+            Place::Numbers { numbers, .. } => {
+                Some((handle.name.clone(), numbers.each_ref().map(|number| number.range.clone())))
+            }
+            Place::Expression(_) => None,
+        });
+        let elsewhere = elsewhere.collect();
+        Ok(Held { port: port.clone(), free, members, picture: picture.clone(), open, elsewhere })
+    }
+
+    /// Is it the pin of this port in the same picture, so that it need not be taken again?
+    pub fn is_of(&self, picture: &Picture, port: &PortName, free: bool) -> bool {
+        self.port == *port && self.free == free && self.picture == *picture
+    }
+
+    /// The numbers with the pin at a point.
+    ///
+    /// # Errors
+    /// Prescribed angles hold the pin, or a bar would have no length.
+    pub(crate) fn changes(&self, to: Point, grid: f64) -> Result<Dragged, Refusal> {
+        let to = self.held(to)?;
+        let mut changes = Changes::default();
+        for Member { numbers, axes, placed, rule } in &self.members {
+            match rule {
+                Rule::Bar(bar) => bar.put(&self.picture, to, grid, &mut changes)?,
+                // The point of a drawing is two numbers in the axes of the first body that names it: those of the pointer, where
+                // the bodies stand as they were drawn.
+                Rule::Through | Rule::Free => free::put((numbers, *axes), placed, to, grid, &mut changes),
+            }
+        }
+        // A pin that stays changes nothing: starts are proposals, and need not be what assembly makes of them.
+        let stays = self.members.iter().all(|Member { placed, .. }| {
+            let [dx, dy] = between(placed.at, to);
+            dx.hypot(dy) <= STAYS * grid
+        });
+        let stay = |change: Change| if stays { Change::written(&change.literal, None) } else { change };
+        let changes: Vec<Change> = changes.all.into_iter().map(stay).collect();
+        let is_changed =
+            |range: &Range<usize>| changes.iter().any(|of| of.is_new() && of.literal.range == *range);
+        let also = self.elsewhere.iter().filter(|(_, ranges)| ranges.iter().any(is_changed));
+        let also = also.map(|(name, _)| name.clone()).collect();
+        Ok(Dragged { changes, to, also, open: self.open.clone() })
+    }
+
+    /// The place to which the pin can go: a bar whose angle is prescribed keeps it.
+    fn held(&self, mut to: Point) -> Result<Point, Refusal> {
+        let mut is_held = false;
+        for member in &self.members {
+            let Rule::Bar(bar) = &member.rule else { continue };
+            if !bar.is_driven {
+                continue;
+            }
+            let end = self.picture.port(&bar.other).ok_or_else(|| Refusal::NotShown(bar.other.clone()))?;
+            if is_held || end.at == member.placed.at {
+                return Err(Refusal::Held(self.port.clone()));
+            }
+            to = on_ray(end.at, member.placed.at, to);
+            is_held = true;
+        }
+        Ok(to)
+    }
 }
 
 /// The numbers that a drag changes.
@@ -82,71 +187,7 @@ struct Member<'s, 'p> {
 /// # Errors
 /// A port of the pin stands where an expression says, or is not shown; prescribed angles hold it.
 pub(crate) fn drag(sheet: &Sheet<'_>, picture: &Picture, drag: &Drag) -> Result<Dragged, Refusal> {
-    let handles = sheet.handles();
-    let mut members = Vec::new();
-    for name in sheet.pin(&drag.port) {
-        let found = handles.iter().find(|handle| handle.name == name);
-        let handle = found.ok_or_else(|| Refusal::Unknown(name.to_string()))?.clone();
-        let placed = picture.port(&name).ok_or_else(|| Refusal::NotShown(name.clone()))?;
-        if let Place::Expression(text) = handle.place {
-            return Err(Refusal::Expression { port: name, text });
-        }
-        let rule = Rule::of(sheet, &handles, &handle, drag.free);
-        members.push(Member { handle, placed, rule });
-    }
-    let to = held(picture, &members, drag)?;
-    let mut changes = Changes::default();
-    for Member { handle, placed, rule } in &members {
-        match rule {
-            Rule::Through => through::put(handle, placed, to, drag.grid, &mut changes),
-            Rule::Bar(bar) => bar.put(picture, to, drag.grid, &mut changes)?,
-            Rule::Free => free::put(handle, placed, to, drag.grid, &mut changes),
-        }
-    }
-    let joints = sheet.joints();
-    let holds = |joint: &&Joint| {
-        let is_here = members.iter().any(|member| joint.ports.contains(&member.handle.name));
-        is_here && !joint.is_pin() && !joint.is_load()
-    };
-    let open = joints.iter().filter(holds).map(|joint| joint.name.clone()).collect();
-    // A pin that stays changes nothing: starts are proposals, and need not be what assembly makes of them.
-    let stays = members.iter().all(|Member { placed, .. }| {
-        let [dx, dy] = between(placed.at, to);
-        dx.hypot(dy) <= STAYS * drag.grid
-    });
-    let stay = |change: Change| if stays { Change::written(&change.literal, None) } else { change };
-    let changes: Vec<Change> = changes.all.into_iter().map(stay).collect();
-    let is_changed = |handle: &&Handle<'_>| match &handle.place {
-        Place::Numbers { numbers, .. } => {
-            numbers.iter().any(|own| changes.iter().any(|of| of.is_new() && of.literal.range == own.range))
-        }
-        Place::Expression(_) => false,
-    };
-    let elsewhere = |handle: &&Handle<'_>| !members.iter().any(|member| member.handle.name == handle.name);
-    let of_bars =
-        |handle: &&Handle<'_>| !members.iter().any(|member| member.handle.name.owner == handle.name.owner);
-    let also = handles.iter().filter(is_changed).filter(elsewhere).filter(of_bars);
-    let also = also.map(|handle| handle.name.clone()).collect();
-    Ok(Dragged { changes, to, also, open })
-}
-
-/// The place to which a pin can go: a bar whose angle is prescribed keeps it.
-fn held(picture: &Picture, members: &[Member<'_, '_>], drag: &Drag) -> Result<Point, Refusal> {
-    let mut to = drag.to;
-    let mut is_held = false;
-    for member in members {
-        let Rule::Bar(bar) = &member.rule else { continue };
-        if !bar.is_driven {
-            continue;
-        }
-        let end = picture.port(&bar.other).ok_or_else(|| Refusal::NotShown(bar.other.clone()))?;
-        if is_held || end.at == member.placed.at {
-            return Err(Refusal::Held(drag.port.clone()));
-        }
-        to = on_ray(end.at, member.placed.at, to);
-        is_held = true;
-    }
-    Ok(to)
+    Held::take(sheet, picture, &drag.port, drag.free)?.changes(drag.to, drag.grid)
 }
 
 /// Numbers that change, each once.

@@ -1,6 +1,7 @@
 //! Texts after gestures.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
+mod deeds;
 mod gallery;
 mod lifted;
 mod random;

@@ -10,7 +10,7 @@ use crate::support::{Compiled, Draws, compiled};
 /// Seeds of sequences.
 const SEQUENCES: u64 = 200;
 /// Gestures of each.
-const LENGTH: usize = 12;
+const LENGTH: usize = 15;
 
 /// Texts to begin with.
 const TEXTS: [&str; 4] = [
@@ -87,7 +87,13 @@ fn gesture(draws: &mut Draws, text: &str, picture: &Picture) -> Gesture {
     let names = things(text);
     let name = draws.of(&names).cloned().unwrap_or_default();
     let dimensions = [Dimension::X, Dimension::Y, Dimension::Length, Dimension::Angle];
-    match draws.below(14) {
+    match draws.below(20) {
+        17 => Gesture::Mirror { port, grid },
+        18 => Gesture::Copy { body: port.owner, by, grid },
+        19 => Gesture::Lock { port, axis: usize::from(free) },
+        14 => Gesture::Groove { port, body: other.owner, grid },
+        15 => Gesture::Port { body: port.owner, end: ends[1].clone(), grid },
+        16 => Gesture::Port { body: port.owner, end: End::Point(to), grid },
         12 => Gesture::Slide { port, toward: to, grid },
         13 => Gesture::Unpin { port },
         0..3 => Gesture::Drag(drag),

@@ -252,6 +252,72 @@ fn a_slider_crank_is_drawn_by_pointer() {
 }
 
 #[test]
+fn a_bar_gets_a_third_pin() {
+    let bar = |ends| Gesture::Bar { ends, grid: 1e-3 };
+    let text = made("", &bar([End::Ground([0.0, 0.0]), End::Point([0.3, -0.4])])).unwrap();
+    let put =
+        |text: &str, body: &str, end| made(text, &Gesture::Port { body: body.to_owned(), end, grid: 1e-3 });
+    let third = put(&text, "bar1", End::Point([0.1, 0.05])).unwrap();
+    let bar1 = "port a: p1; port b: p2; port c: p3; }";
+    assert!(third.contains("    let p3 = (100, 50) mm;\n") && third.contains(bar1), "{third}");
+    assert_eq!(compiled(&third).problems, []);
+    // A bar that ends there has its point.
+    let second = made(&third, &bar([End::Port(port("bar1.c")), End::Point([0.5, 0.5])])).unwrap();
+    assert!(
+        second.contains("port a: p3; port b: p4; }") && second.contains("revolute pin2(bar1.c, bar2.a);"),
+        "{second}"
+    );
+    // A port at a pin of another body is joined to it, on the ground to the ground.
+    let joined = put(&second, "bar1", End::Port(port("bar2.b"))).unwrap();
+    assert!(
+        joined.contains("port c: p3; port d: p4; }") && joined.contains("revolute pin3(bar2.b, bar1.d);"),
+        "{joined}"
+    );
+    let held = put(&text, "bar1", End::Ground([0.1, 0.1])).unwrap();
+    assert!(
+        held.contains("ground { port g2: p3; }") && held.contains("revolute pin2(ground.g2, bar1.c);"),
+        "{held}"
+    );
+    // In axes of its own, which assembly has turned: it stands where the hand was, within the rounding of its numbers.
+    let own = put(TEXT, "crank", End::Point([0.02, 0.05])).unwrap();
+    assert!(own.contains("port b: (5, 0) cm; port c: ("), "{own}");
+    let at = compiled(&own).picture.unwrap().port(&port("crank.c")).unwrap().at;
+    assert!((at[0] - 0.02).hypot(at[1] - 0.05) < 1e-5, "{at:?}");
+    assert_eq!(put(&text, "bar1", End::Point([0.3, -0.4])), Err(Refusal::NoLength));
+    assert_eq!(put(&text, "bar2", End::Point([0.0, 0.1])), Err(Refusal::Unknown("bar2".to_owned())));
+    let many = "pub P {\n    repeat i in 0..2 { body bar[i] { mass: 1 kg; inertia: 1 kg*m^2; port a: (0, 0) m; } }\n}\n";
+    assert_eq!(put(many, "bar[0]", End::Point([0.0, 0.1])), Err(Refusal::Repeated("bar[0]".to_owned())));
+}
+
+#[test]
+fn a_pin_slides_along_a_bar() {
+    let bar = |ends| Gesture::Bar { ends, grid: 1e-3 };
+    let groove = |body: &str| Gesture::Groove { port: port("bar1.b"), body: body.to_owned(), grid: 1e-3 };
+    let mut text = String::new();
+    for gesture in [
+        bar([End::Ground([0.0, 0.0]), End::Point([0.03, 0.04])]),
+        bar([End::Ground([0.0, -0.08]), End::Point([0.06, 0.16])]),
+    ] {
+        text = made(&text, &gesture).unwrap();
+    }
+    let slotted = made(&text, &groove("bar2")).unwrap();
+    let expected = "\
+body bar2 { coordinates: absolute; width: 20 mm; thickness: 5 mm; density: steel; port a: p3; port b: p4; port s: p3, axis: p4 - p3; }
+pin_slot slide1(bar2.s, bar1.b);
+";
+    assert_eq!(new_lines(&text, &slotted), expected);
+    let driven = made(&slotted, &Gesture::Motor { body: "bar1".to_owned() }).unwrap();
+    assert_eq!(compiled(&driven).problems, [], "{driven}");
+    assert_eq!(plm_draw::layout::formatted(&driven).as_ref(), Ok(&driven));
+    assert_eq!(made(&text, &groove("bar1")), Err(Refusal::Same(port("bar1.b"), port("bar1.b"))));
+    // In axes of its own: from (0, -0.1) to (0, 0.2).
+    let own = Gesture::Groove { port: port("ground.d"), body: "rod".to_owned(), grid: 1e-3 };
+    let own = made(TEXT, &own).unwrap();
+    assert!(own.contains("port tip: (0.1, 0) m; port s: (0 m, -0.1 m), axis: 90 deg;"), "{own}");
+    assert!(own.contains("pin_slot slide1(rod.s, ground.d);"), "{own}");
+}
+
+#[test]
 fn a_pin_is_opened() {
     let text = made(TEXT, &Gesture::Unpin { port: port("crank.b") }).unwrap();
     assert!(!text.contains("revolute b") && text.contains("port b: (5, 0) cm"), "{text}");

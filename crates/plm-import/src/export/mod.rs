@@ -1,4 +1,4 @@
-//! Files for other programs: a compiled mechanism as MJCF or URDF.
+//! Files for other programs: a compiled mechanism as MJCF or URDF, and its links as drawings.
 //!
 //! The plane of the mechanism is that of x and z in the file: its x is x, its y is z, and the axis of its hinges is −y. Bodies and joints
 //! keep their names, and joints their coordinates. [`to_mjcf`] draws the assembled start; [`to_urdf`] draws all joints at zero, because URDF
@@ -6,12 +6,15 @@
 
 mod couplings;
 mod frames;
+mod links;
 mod mjcf;
 mod pairs;
 mod pictures;
 mod tags;
 mod tree;
 mod urdf;
+
+pub use links::{Cutting, Drawing, Links, to_links};
 
 use plm_compiler::span::Span;
 use plm_compiler::{Assembled, AssembledPart, FieldValue};

@@ -10,13 +10,19 @@ import { typeset } from "./text.js";
 
 /**
  * A quantity that is set by a slider and by a number, in its declared unit.
- * @typedef {{kind: "parameter" | "input", index: number, factor: number, slider: HTMLInputElement, field: HTMLInputElement}} Dial
+ * @typedef {{kind: "parameter" | "input", index: number, factor: number, slider: HTMLInputElement, field: HTMLInputElement, write: HTMLButtonElement | null, usual: number | null}} Dial
+ */
+
+/**
+ * The text of the mechanism, where the page has it.
+ * @typedef {{isThere: () => boolean, write: (name: string, value: number) => void}} Text
  */
 
 export class Dials {
-  /** @param {Live} live */
-  constructor(live) {
+  /** @param {Live} live @param {Text | null} [text] */
+  constructor(live, text = null) {
     this.live = live;
+    this.text = text;
     this.revision = -1;
     /** @type {Dial[]} */
     this.dials = [];
@@ -56,8 +62,19 @@ export class Dials {
     field.addEventListener("input", () => field.setAttribute("data-typed", ""));
     for (const end of ["change", "blur"]) field.addEventListener(end, () => field.removeAttribute("data-typed"));
     const label = element("label", { for: id }, name);
-    this.dials.push({ kind, index, factor, slider, field });
-    return element("div", { class: "dial" }, label, slider, field, element("span", { class: "faint" }, typeset(unit)));
+    const write = this.text === null ? null : this.writer(this.text, kind, index, name);
+    this.dials.push({ kind, index, factor, slider, field, write, usual: usual ?? null });
+    return element("div", { class: "dial" }, label, slider, field, element("span", { class: "faint" }, typeset(unit)), ...(write === null ? [] : [write]));
+  }
+
+  /** @param {Text} text @param {"parameter" | "input"} kind @param {number} index @param {string} name */
+  writer(text, kind, index, name) {
+    const button = element("button", { type: "button", class: "write", id: `${kind}-${index}-write`, hidden: true, title: `${name} has this value in the text` }, "Write into the text");
+    button.addEventListener("click", () => {
+      const value = this.live.settings[kind][index];
+      if (value !== undefined && value !== null) text.write(name, value);
+    });
+    return button;
   }
 
   update() {
@@ -67,8 +84,10 @@ export class Dials {
   }
 
   /** Shows a value, with its slider made longer where it stands outside. @param {Dial} dial */
-  turn({ kind, index, factor, slider, field }) {
-    const shown = fromSi(this.live.settings[kind][index] ?? NaN, factor);
+  turn({ kind, index, factor, slider, field, write, usual }) {
+    const value = this.live.settings[kind][index];
+    const shown = fromSi(value ?? NaN, factor);
+    if (write !== null) write.hidden = this.text?.isThere() !== true || usual === null || value === usual;
     if (!Number.isFinite(shown)) return;
     showIn(field, String(shown));
     if (slider.matches(":focus") && Math.abs(Number(slider.value) - shown) <= 0.51 * Number(slider.step)) return;

@@ -21,7 +21,11 @@ export class LivePanel {
   constructor(app, live, root) {
     this.app = app;
     this.live = live;
-    this.dials = new Dials(live);
+    this.dials = new Dials(live, {
+      // In a page with the text of the mechanism values are written there.
+      isThere: () => app.sketch !== null,
+      write: (name, value) => void app.sketch?.make(`write ${name}`, { kind: "set", name, value }),
+    });
     this.go = actButton("live-go", "Run", () => (live.isRunning ? live.pause() : live.start()));
     this.record = actButton("live-record", "Record", () => live.record());
     this.state = element("p", { id: "live-state", class: "hint" });

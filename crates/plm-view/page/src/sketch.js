@@ -3,19 +3,19 @@
 // States: at rest; a pin is held (`heldpin.js`); something is begun that a second place ends.
 
 import { HeldPin } from "./heldpin.js";
-import { pickAt } from "./picture.js";
 import { say } from "./say.js";
-import { alongStep, nearestPort, pinOf, portKey, sketchStep, snapped } from "./snap.js";
+import { nearestPort, pinOf, portKey, sketchStep } from "./snap.js";
 import { framePose } from "./solid.js";
+import { beginStroke, endStroke, groundAt, motorAt } from "./strokes.js";
 
 /** @import {App} from "./app.js" */
 /** @import {EditorPane} from "./editorpane.js" */
 /** @import {Exchange} from "./exchange.js" */
 /** @import {Drawn, Gesture, Pencil, PlacedPort, PortName, SketchSheet} from "./pencil.js" */
-/** @import {Snapped} from "./snap.js" */
+/** @import {Begun} from "./strokes.js" */
 /** @import {Projection} from "./view.js" */
 
-/** @typedef {"move" | "bar" | "ground" | "slide" | "motor" | string} SketchTool the last: a word of the table of parts */
+/** @typedef {"move" | "bar" | "point" | "ground" | "slide" | "motor" | string} SketchTool the last: a word of the table of parts */
 /** @typedef {{isShift?: boolean, isAlt?: boolean, reach?: number}} Press */
 
 /** An empty sheet, m. */
@@ -37,12 +37,18 @@ export class Sketch {
     this.tool = "move";
     /** @type {HeldPin | null} */
     this.held = null;
-    /** What a second place ends: its first one. @type {{at: number[], port: PlacedPort | null, isGround: boolean} | null} */
+    /** What a second place ends: its first one. @type {Begun | null} */
     this.from = null;
     /** Whether this press has begun it. */
     this.isBegun = false;
     /** The pin whose dimensions are shown. @type {PortName | null} */
     this.chosen = null;
+    /** Where Enter presses. @type {number[] | null} */
+    this.cursor = null;
+    /** Whether the keyboard was used last. */
+    this.isByKeys = false;
+    /** How far the chosen pin goes once it is known where it stands. @type {number[]} */
+    this.waiting = [0, 0];
     /** @type {{text: string, sheet: SketchSheet}} */
     this.read = { text: "", sheet: { places: [], parts: [] } };
     /** @type {{of: unknown, era: number, places: PlacedPort[]} | null} */
@@ -170,6 +176,7 @@ export class Sketch {
   take(tool) {
     this.cancel();
     this.tool = tool;
+    if (tool === "move") this.cursor = null;
     if (!this.isOn) this.enter();
     this.changed();
   }
@@ -214,8 +221,8 @@ export class Sketch {
       this.stand();
       return true;
     }
-    const port = nearestPort(this.places(), projection, x, y, how);
     if (this.tool === "move") {
+      const port = nearestPort(this.places(), projection, x, y, how);
       if (port === null) {
         this.choose(null);
         return false;
@@ -224,18 +231,8 @@ export class Sketch {
       return true;
     }
     this.isBegun = this.from === null;
-    if (this.isBegun && this.tool !== "motor" && this.tool !== "ground") this.first(projection, x, y, port, how);
+    if (this.isBegun && this.tool !== "motor" && this.tool !== "ground") beginStroke(this, projection, x, y, how);
     return true;
-  }
-
-  /** The first of two places. @param {Projection} projection @param {number} x @param {number} y @param {PlacedPort | null} port @param {Press} how */
-  first(projection, x, y, port, how) {
-    if (port !== null) this.from = { at: port.at, port, isGround: false };
-    else if (this.tool === "bar") {
-      const place = snapped(this.places(), projection, x, y, how);
-      if (place !== null) this.from = { at: place.at, port: null, isGround: how.isShift === true };
-    } else this.tell("a pin is wanted here: the end of a bar");
-    this.changed();
   }
 
   /**
@@ -247,9 +244,9 @@ export class Sketch {
    */
   release(projection, x, y, how) {
     if (this.held !== null) this.drop(this.held, how.hasMoved);
-    else if (this.tool === "ground") this.ground(projection, x, y, how);
-    else if (this.tool === "motor") this.motor(projection, x, y, how);
-    else if (this.from !== null && !(this.isBegun && !how.hasMoved)) this.end(projection, x, y, how);
+    else if (this.tool === "ground") groundAt(this, projection, x, y, how);
+    else if (this.tool === "motor") motorAt(this, projection, x, y, how);
+    else if (this.from !== null && !(this.isBegun && !how.hasMoved)) endStroke(this, projection, x, y, how);
     this.app.touch();
   }
 
@@ -295,62 +292,39 @@ export class Sketch {
     this.changed();
   }
 
-  /** The second of two places. @param {Projection} projection @param {number} x @param {number} y @param {Press} how */
-  end(projection, x, y, how) {
-    const { from } = this;
-    if (from === null) return;
-    const place = this.endAt(projection, x, y, how);
-    if (place === null) return;
-    this.finish(place.at, place.onto, how.isShift === true, sketchStep(projection.scale));
+  /** The chosen pin goes by so much, once it is known where it stands: assembly may move what the text alone tells. @param {number[]} by */
+  nudge(by) {
+    const { chosen } = this;
+    const is = (/** @type {PlacedPort} */ place) => chosen !== null && portKey(place) === portKey(chosen);
+    this.waiting = this.waiting.map((part, axis) => part + by[axis]);
+    if (!this.isCurrent && this.sheet.places.find(is)?.guessed !== false) return;
+    const at = this.places().find(is)?.at;
+    const to = at?.map((part, axis) => Number((part + this.waiting[axis]).toPrecision(12)));
+    this.waiting = [0, 0];
+    if (chosen === null || to === undefined) return;
+    this.make(`move ${portKey(chosen)}`, { kind: "drag", port: chosen, to, grid: sketchStep(this.app.view.scale), free: false });
   }
 
-  /** Where the second of two places is. @param {Projection} projection @param {number} x @param {number} y @param {Press} [how] @returns {Snapped | null} */
-  endAt(projection, x, y, how = {}) {
-    const { from } = this;
-    const place = snapped(this.places(), projection, x, y, { ...how, from: from?.at ?? null });
-    if (place === null || from === null || this.tool !== "slide" || place.onto !== null) return place;
-    return { ...place, at: alongStep(from.at, place.at) };
+  /** What is selected again, beside itself. */
+  copy() {
+    const name = this.chosen !== null && this.chosen.owner !== "ground" ? this.chosen.owner : this.selectedName;
+    const { scale } = this.app.view;
+    const step = sketchStep(scale, 24);
+    if (name === null) this.tell("a bar is wanted, which is selected");
+    else this.make(`copy ${name}`, { kind: "copy", body: name, by: [step, -step], grid: sketchStep(scale) });
   }
 
-  /** Ends what was begun at a place. @param {number[]} at @param {PlacedPort | null} onto @param {boolean} isGround @param {number} grid */
-  finish(at, onto, isGround, grid) {
-    const { from, tool } = this;
-    if (from === null) return;
-    const name = (/** @type {PlacedPort} */ { owner, port }) => ({ owner, port });
-    /** @type {Drawn | null} */
-    let drawn = null;
-    if (tool === "bar") {
-      const end = (/** @type {typeof from} */ of) => (of.port === null ? { at: of.at, ground: of.isGround } : name(of.port));
-      drawn = this.make("draw a bar", { kind: "bar", ends: [end(from), end({ at, port: onto, isGround })], grid });
-    } else if (from.port !== null && tool === "slide") {
-      drawn = this.make("draw a slider", { kind: "slide", port: name(from.port), toward: at, grid });
-    } else if (from.port !== null && onto !== null) {
-      drawn = this.make(`draw a ${tool}`, { kind: "join", tool, ports: [name(from.port), name(onto)], grid });
-    } else {
-      this.tell("a second pin is wanted here");
-      return;
-    }
-    if (drawn !== null) this.from = null;
-    this.changed();
+  /** The pin of two bars goes to its mirror image. */
+  mirror() {
+    const { chosen } = this;
+    if (chosen === null) this.tell("a pin of two bars is wanted, which is chosen");
+    else this.make(`mirror ${portKey(chosen)}`, { kind: "mirror", port: chosen, grid: sketchStep(this.app.view.scale) });
   }
 
-  /** @param {Projection} projection @param {number} x @param {number} y @param {Press} how */
-  ground(projection, x, y, how) {
-    const port = nearestPort(this.places(), projection, x, y, how);
-    if (port === null) this.tell("a pin is wanted here: the end of a bar");
-    else this.make("pin to the ground", { kind: "ground", port: { owner: port.owner, port: port.port }, grid: sketchStep(projection.scale) });
-  }
-
-  /** The bar at a place turns: that on the ground where two meet. @param {Projection} projection @param {number} x @param {number} y @param {Press} how */
-  motor(projection, x, y, how) {
-    const { places, parts } = { places: this.places(), parts: this.sheet.parts };
-    const port = nearestPort(places, projection, x, y, how);
-    const pin = port === null ? [] : [...pinOf(parts, port)].map((name) => name.split(".")[0]);
-    const ofPin = pin.find((owner) => owner !== "ground");
-    const picked = this.isCurrent ? pickAt(this.app, x, y, { kind: "body" }).item : null;
-    const body = ofPin ?? (picked === null ? undefined : this.app.run?.mechanism.bodies[picked.index].name);
-    if (body === undefined) this.tell("a bar is wanted here, or its pin");
-    else this.make(`motor of ${body}`, { kind: "motor", body });
+  /** A dimension of the chosen pin becomes a parameter. @param {string} dimension */
+  lock(dimension) {
+    const { chosen } = this;
+    if (chosen !== null) this.make(`lock ${dimension} of ${portKey(chosen)}`, { kind: "lock", port: chosen, dimension });
   }
 
   /** What is selected, by its name. */

@@ -2,6 +2,7 @@
 
 import { element, setText } from "./dom.js";
 import { belongsTo, keyName } from "./keys.js";
+import { drawingKeyWords, obeyDrawingKey } from "./sketchkeys.js";
 import { millimetres, portKey } from "./snap.js";
 
 /** @import {PlacedPort} from "./pencil.js" */
@@ -16,8 +17,9 @@ import { millimetres, portKey } from "./snap.js";
 const SKETCH_TOOLS = [
   { tool: "move", label: "Move", title: "Drag a pin; onto another one, and they are joined. Alt: bars keep their poses", key: "V" },
   { tool: "bar", label: "Bar", title: "Two places make a bar. Shift: an end on the ground", key: "B" },
+  { tool: "point", label: "Point", title: "A bar, then where it gets another pin; on a pin, they are joined. Shift: on the ground", key: "P" },
   { tool: "ground", label: "Ground", title: "A pin becomes one of the ground", key: "G" },
-  { tool: "slide", label: "Slider", title: "A pin, then the direction in which it slides", key: "L" },
+  { tool: "slide", label: "Slider", title: "A pin, then the direction in which it slides, or the bar along which it slides", key: "L" },
   { tool: "motor", label: "Motor", title: "A bar that turns", key: "M" },
 ];
 
@@ -46,8 +48,10 @@ export class SketchBar {
     this.remove = this.button("Delete", "Take away what is selected (Delete)", () => sketch.remove(), "sketch-delete");
     this.name = this.button("Rename", "Another name for what is selected (F2)", () => this.askName(), "sketch-rename");
     this.more = element("select", { id: "sketch-more", "aria-label": "Parts between two pins", onchange: () => this.takeMore() }, element("option", { value: "" }, "Part …"));
+    this.copy = this.button("Copy", "What is selected again, beside itself (Ctrl+D)", () => sketch.copy(), "sketch-copy");
+    this.mirror = this.button("Mirror", "The chosen pin of two bars on the other side (I)", () => sketch.mirror(), "sketch-mirror");
     const undo = this.button("Undo", "Undo (Ctrl+Z)", () => app.history.undo(), "sketch-undo");
-    this.only = element("span", { class: "only" }, ...this.tools.map(({ button }) => button), this.more, this.remove, this.name, undo);
+    this.only = element("span", { class: "only" }, ...this.tools.map(({ button }) => button), this.more, this.remove, this.name, this.copy, this.mirror, undo);
     this.hint = element("p", { id: "sketch-hint", role: "status" });
     this.fields = element("form", { id: "sketch-fields", hidden: true, "aria-label": "Dimensions", onsubmit: (/** @type {Event} */ event) => event.preventDefault() });
     this.fieldsOf = "";
@@ -91,21 +95,28 @@ export class SketchBar {
     for (const each of this.tools) each.button.setAttribute("aria-pressed", String(each.tool === tool));
     const row = this.tools.some((each) => each.tool === tool);
     if (row !== (this.more.value === "")) this.more.value = row ? "" : tool;
-    this.remove.disabled = this.name.disabled = !sketch.canRemove;
+    this.remove.disabled = this.name.disabled = this.copy.disabled = !sketch.canRemove;
+    this.mirror.disabled = sketch.chosen === null;
+    if (sketch.isCurrent && sketch.waiting.some((part) => part !== 0)) sketch.nudge([0, 0]);
     setText(this.hint, isOn ? this.words() : "");
     this.hint.hidden = !isOn || this.hint.textContent === "";
     this.updateFields();
   }
 
-  /** What a press does now. */
+  /** What a press does now, and a key. */
   words() {
+    return `${this.pressWords()}${drawingKeyWords(this.sketch)}`;
+  }
+
+  pressWords() {
     const { sketch } = this;
     const { tool, from, app } = sketch;
     if (sketch.isMoving && sketch.held === null) return "It moves: a press brings it back to its start.";
     if (tool === "bar") return from === null ? "Press where a bar begins: on a pin, or anywhere. Shift: on the ground." : "Press where it ends.";
+    if (tool === "point") return from === null ? "Press the bar that gets another pin." : "Press where its pin is.";
     if (tool === "ground") return "Press a pin: the ground holds it.";
     if (tool === "motor") return "Press a bar, or its pin: it turns.";
-    if (tool === "slide") return from === null ? "Press the pin that slides." : "Press in the direction in which it slides.";
+    if (tool === "slide") return from === null ? "Press the pin that slides." : "Press in the direction in which it slides, or a bar: along it.";
     if (tool !== "move") return from === null ? "Press one pin." : "Press the other pin.";
     return app.run === null ? "Nothing is drawn yet: take Bar." : "";
   }
@@ -130,7 +141,7 @@ export class SketchBar {
     if (this.fieldsOf !== of) {
       this.fieldsOf = of;
       this.inputs = new Map();
-      fields.replaceChildren(element("b", {}, portKey(place)), ...Object.keys(values).map((dimension) => this.field(/** @type {Dimension} */ (dimension))));
+      fields.replaceChildren(element("b", {}, portKey(place)), ...Object.keys(values).map((dimension) => this.field(/** @type {Dimension} */ (dimension))), this.locks());
     }
     for (const [dimension, input] of this.inputs) {
       const value = values[dimension] ?? "";
@@ -139,6 +150,13 @@ export class SketchBar {
       input.dataset["value"] = value;
       input.value = value;
     }
+  }
+
+  /** Padlocks come behind all fields, so that Tab goes from number to number. */
+  locks() {
+    const lock = (/** @type {"x" | "y"} */ axis) =>
+      this.button(`Lock ${axis.toUpperCase()}`, `${axis.toUpperCase()} becomes a parameter, with a slider; no hand moves it then`, () => this.sketch.lock(axis), `sketch-lock-${axis}`);
+    return element("div", { class: "locks" }, lock("x"), lock("y"));
   }
 
   /** @param {Dimension} dimension */
@@ -191,11 +209,17 @@ export class SketchBar {
   /** Keys of drawing come before the other ones. */
   listen() {
     const { sketch } = this;
+    // Whoever takes the pointer again leaves the keyboard.
+    document.addEventListener("pointermove", () => {
+      if (!sketch.isByKeys) return;
+      [sketch.isByKeys, sketch.cursor] = [false, null];
+      this.update();
+    });
     document.addEventListener("keydown", (event) => {
       const target = event.target instanceof HTMLElement ? event.target : document.body;
       const name = keyName(event);
       if (!sketch.isOn || event.defaultPrevented || document.querySelector("dialog[open]") !== null || belongsTo(target, name)) return;
-      if (!this.obey(name)) return;
+      if (!this.obey(name, target !== document.body && target.id !== "picture")) return;
       event.preventDefault();
       event.stopImmediatePropagation();
       this.update();
@@ -203,11 +227,24 @@ export class SketchBar {
     });
   }
 
-  /** Whether a key means something here. @param {string} name */
-  obey(name) {
+  /** Whether a key means something here. @param {string} name @param {boolean} isButton whether something else has the focus than the picture */
+  obey(name, isButton) {
     const { sketch } = this;
     const row = SKETCH_TOOLS.find(({ key }) => key === name);
     if (name === "Escape") return this.letGo();
+    if (!isButton && obeyDrawingKey(sketch, name)) return true;
+    if (name === "Enter" && !isButton && sketch.chosen !== null) {
+      const first = this.fields.querySelector("input");
+      first?.focus();
+      first?.select();
+      return true;
+    }
+    if (name === "Ctrl+D" || name === "I") {
+      if (name === "I" && (sketch.chosen === null || !sketch.app.hasPlainKeys)) return false;
+      if (name === "I") sketch.mirror();
+      else sketch.copy();
+      return true;
+    }
     if (name === "Delete" || name === "Backspace") {
       if (!sketch.canRemove) return false;
       sketch.remove();

@@ -4,6 +4,7 @@ import { drawLabel } from "./decor.js";
 import { missingWords } from "./fault.js";
 import { circleOutline, roundedHull } from "./outline.js";
 import { lineText, millimetres, pinOf, portKey, sketchStep, snapped } from "./snap.js";
+import { guideAt, strokeEnd } from "./strokes.js";
 
 /** @import {Palette} from "./palette.js" */
 /** @import {Pen} from "./pen.js" */
@@ -47,12 +48,24 @@ export function drawSketch(pen, sketch) {
   if (!sketch.isCurrent && held === null) drawHalf(pen, sketch, projection);
   if (sketch.isMoving && held === null) return;
   const places = sketch.places();
-  const pointer = app.pointer === null ? null : [app.pointer.x, app.pointer.y];
-  const place = pointer === null || held !== null ? null : sketch.from !== null ? sketch.endAt(projection, pointer[0], pointer[1]) : snapped(places, projection, pointer[0], pointer[1]);
+  const pointer = pointed(sketch, projection);
+  if (sketch.cursor !== null && pointer !== null) drawAim(pen, pointer, app.palette);
+  const place = pointer === null || held !== null ? null : sketch.from !== null ? strokeEnd(sketch, projection, pointer[0], pointer[1]) : snapped(places, projection, pointer[0], pointer[1]);
   drawHandles(pen, sketch, places, projection, place);
   if (held !== null) drawHeld(pen, sketch, held, projection);
   else if (sketch.from !== null && place !== null) drawBegun(pen, sketch, place, projection);
   else if (place !== null && place.onto === null && sketch.tool === "bar") drawGuides(pen, place, projection, app.palette);
+}
+
+/** What is under the hand: the pointer, or the place that arrow keys have chosen. @param {Sketch} sketch @param {Projection} projection */
+function pointed({ app, cursor }, projection) {
+  if (cursor !== null) return projection.point(cursor[0], cursor[1], 0);
+  return app.pointer === null ? null : [app.pointer.x, app.pointer.y];
+}
+
+/** @param {Pen} pen @param {number[]} at @param {Palette} palette */
+function drawAim(pen, [x, y], palette) {
+  for (const line of [[x - 14, y, x + 14, y], [x, y - 14, x, y + 14]]) pen.line(line, { stroke: palette.select, width: 2 });
 }
 
 /** Half a mechanism: bodies and the ground as the text tells them. @param {Pen} pen @param {Sketch} sketch @param {Projection} projection */
@@ -105,16 +118,19 @@ function drawGuides(pen, { at, along }, projection, palette) {
 }
 
 /** What a second place will end. @param {Pen} pen @param {Sketch} sketch @param {Snapped} place @param {Projection} projection */
-function drawBegun(pen, { app, from, tool }, place, projection) {
+function drawBegun(pen, sketch, place, projection) {
+  const { app, from, tool } = sketch;
   if (from === null) return;
   const { palette } = app;
+  const pointer = pointed(sketch, projection);
+  const guide = pointer === null ? null : guideAt(sketch, projection, pointer[0], pointer[1]);
   const [x, y] = projection.point(from.at[0], from.at[1], 0);
   const [px, py] = projection.point(place.at[0], place.at[1], 0);
   drawGuides(pen, place, projection, palette);
   // A rail goes on at both sides.
-  if (tool === "slide") pen.line([2 * x - px, 2 * y - py, px, py], { stroke: palette.select, width: 2, dash: [10, 4] });
+  if (tool === "slide" && guide === null) pen.line([2 * x - px, 2 * y - py, px, py], { stroke: palette.select, width: 2, dash: [10, 4] });
   else pen.line([x, y, px, py], { stroke: palette.select, width: 3, dash: [6, 4] });
-  drawLabel(pen, px, py, lineText(from.at, place.at), app.area, palette);
+  drawLabel(pen, px, py, guide === null ? lineText(from.at, place.at) : `along ${guide}`, app.area, palette);
 }
 
 /** What is held, where it goes, and the path of a point. @param {Pen} pen @param {Sketch} sketch @param {HeldPin} held @param {Projection} projection */

@@ -13,6 +13,8 @@ const SKETCH_STEPS = Array.from({ length: 21 }, (_, k) => Number(`${[1, 2, 5][k 
 /** As near as that, in pixels, a port or a line through one holds the hand. */
 export const PIN_REACH = 12;
 const LINE_REACH = 5;
+/** Ports that are no farther apart on the screen are at one place, in pixels. */
+const SAME = 0.5;
 /** Directions of lines that are drawn freely, rad. */
 const TURN_STEP = Math.PI / 12;
 
@@ -25,7 +27,7 @@ export function sketchStep(scale, pixels = 1) {
 export const portKey = ({ owner, port }) => `${owner}.${port}`;
 
 /**
- * The port that is nearest to a place of the screen.
+ * The port that is nearest to a place of the screen; of several there one of a body, because parts join bodies.
  * @param {PlacedPort[]} places
  * @param {Projection} projection
  * @param {number} px
@@ -38,8 +40,35 @@ export function nearestPort(places, projection, px, py, { reach = PIN_REACH, exc
     if (except.has(portKey(place))) continue;
     const [x, y] = projection.point(place.at[0], place.at[1], 0);
     const away = Math.hypot(x - px, y - py);
-    if (away < least) [best, least] = [place, away];
+    const isBody = best?.owner === "ground" && place.owner !== "ground" && away < Math.min(least + SAME, reach);
+    if (isBody || away < least - (place.owner === "ground" ? SAME : 0)) [best, least] = [place, away];
   }
+  return best;
+}
+
+/**
+ * The body of which a line between two ports is nearest to a place of the screen; null where none is near.
+ * @param {PlacedPort[]} places
+ * @param {Projection} projection
+ * @param {number} px
+ * @param {number} py
+ * @param {Set<string>} [except] bodies that are none of them
+ */
+export function nearestBody(places, projection, px, py, except = new Set()) {
+  let [best, least] = [/** @type {string | null} */ (null), PIN_REACH];
+  const own = places.filter(({ owner }) => owner !== "ground" && !except.has(owner));
+  const seen = own.map(({ owner, at }) => ({ owner, at: projection.point(at[0], at[1], 0) }));
+  seen.forEach((one, k) => {
+    for (const other of seen.slice(k)) {
+      if (other.owner !== one.owner) continue;
+      const [dx, dy] = [other.at[0] - one.at[0], other.at[1] - one.at[1]];
+      const [tx, ty] = [px - one.at[0], py - one.at[1]];
+      const square = dx * dx + dy * dy;
+      const share = square > 0 ? Math.min(1, Math.max(0, (tx * dx + ty * dy) / square)) : 0;
+      const away = Math.hypot(tx - share * dx, ty - share * dy);
+      if (away < least) [best, least] = [one.owner, away];
+    }
+  });
   return best;
 }
 

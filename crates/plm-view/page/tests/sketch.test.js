@@ -43,6 +43,16 @@ test("a hand goes onto a pin, else onto lines through pins, else onto the grid",
   assert.equal(nearestPort(places, projection, ...projection.point(0.12, 0.05, 0), { reach: 22 }), places[0]);
 });
 
+test("where a pin is on the ground, a hand takes the body", () => {
+  const app = appOf();
+  const projection = app.view.projection(app.area);
+  const all = [place("ground.g1", 0, 0), place("bar1.a", 1e-5, 0), place("ground.g2", 0.1, 0)];
+  const near = (places, x) => portKey(nearestPort(places, projection, ...projection.point(x, 0, 0)));
+  assert.equal(near(all, -0.002), "bar1.a");
+  assert.equal(near(all.toReversed(), -0.002), "bar1.a");
+  assert.equal(near(all, 0.099), "ground.g2");
+});
+
 test("lines have directions in steps of 15 degrees, and are told", () => {
   const [x, y] = alongStep([0.1, 0.1], [0.2, 0.104]);
   assert.ok(Math.abs(y - 0.1) < 1e-15 && Math.abs(x - 0.1 - Math.hypot(0.1, 0.004)) < 1e-15);
@@ -101,6 +111,30 @@ test("a bar is drawn by one pull, too", () => {
   sketch.press(...on(0, 0), {});
   sketch.release(...on(0.05, 0.02), { hasMoved: true });
   assert.deepEqual(asked[0].ends, [{ at: [0, 0], ground: false }, { at: [0.05, 0.02], ground: false }]);
+});
+
+test("a bar gets another pin, and a pin slides along a bar or along the ground", () => {
+  const places = [place("bar1.a", 0, 0), place("bar1.b", 0.1, 0.05), place("bar2.a", -0.1, -0.1), place("bar2.b", -0.1, 0.1)];
+  const { app, sketch, asked, click } = sheetOf(places);
+  sketch.tool = "point";
+  click(0.3, 0.2);
+  assert.deepEqual([asked, sketch.from, app.messages.at(-1).text], [[], null, "A bar is wanted here."]);
+  click(-0.1, 0.02);
+  click(0.1, 0.05);
+  click(0.052, 0.025);
+  click(-0.05, 0.08, { isShift: true });
+  sketch.tool = "slide";
+  click(0.1, 0.05);
+  click(-0.1, -0.03);
+  click(0.1, 0.05);
+  click(0.2, 0.05);
+  const port = { owner: "bar1", port: "b" };
+  assert.deepEqual(asked, [
+    { kind: "port", body: "bar2", end: port, grid: 1e-3 },
+    { kind: "port", body: "bar1", end: { at: [-0.05, 0.08], ground: true }, grid: 1e-3 },
+    { kind: "groove", body: "bar2", port, grid: 1e-3 },
+    { kind: "slide", toward: [0.2, 0.05], port, grid: 1e-3 },
+  ]);
 });
 
 test("a pin that is dragged is lifted once, and let go as one gesture", async () => {

@@ -341,6 +341,7 @@ fn body(name: Name) -> Body {
         centre: Vec2::ZERO,
         ports: Vec::new(),
         contour: Vec::new(),
+        width: None,
         holes: Vec::new(),
         depth: None,
         start: [start; 3],

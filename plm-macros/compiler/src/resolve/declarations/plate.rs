@@ -33,6 +33,8 @@ pub(crate) struct Plate {
     pub(crate) inertia: Expr,
     /// From the origin of the body, m.
     pub(crate) centre: Vec2,
+    /// Width of the outline round its ports, m; of a plate without contour.
+    pub(crate) width: Option<Expr>,
     /// Place of the density.
     pub(crate) span: Span,
 }
@@ -77,7 +79,7 @@ impl Resolver<'_> {
         let density = self.body_quantity(body, "density", Dimension::DENSITY);
         let thickness = self.body_quantity(body, "thickness", Dimension::LENGTH);
         let surface = self.surface(body);
-        let ((density, span), (thickness, _), (origin, whole)) = (density?, thickness?, surface?);
+        let ((density, span), (thickness, _), (origin, whole, width)) = (density?, thickness?, surface?);
         let moments = self.holes(body)?.iter().map(|hole| moments_of(hole, origin)).collect_vec();
         let whole = moments.into_iter().fold(whole, Moments::less);
         if whole.area.as_number().is_some_and(|area| area.is_zero() || area.is_negative()) {
@@ -93,6 +95,7 @@ impl Resolver<'_> {
             mass: surface * whole.area,
             inertia: surface * (whole.second - whole.area * from_origin.squared()),
             centre: origin + from_origin,
+            width,
             span,
         })
     }
@@ -139,12 +142,12 @@ impl Resolver<'_> {
         result
     }
 
-    /// A point of the outline, and the moments of what it encloses about that point.
-    fn surface(&mut self, body: usize) -> Eval<(Vec2, Moments)> {
+    /// A point of the outline, the moments of what it encloses about that point, and its width round the ports.
+    fn surface(&mut self, body: usize) -> Eval<(Vec2, Moments, Option<Expr>)> {
         let ast = self.unresolved.bodies[body].ast;
         if !has(ast, "width") {
             let outline = self.outline(body)?;
-            return Ok((outline[0], moments_of(&outline, outline[0])));
+            return Ok((outline[0], moments_of(&outline, outline[0]), None));
         }
         let width = self.body_quantity(body, "width", Dimension::LENGTH);
         let ports = all((0..self.unresolved.bodies[body].ports.len()).map(|port| {
@@ -156,7 +159,7 @@ impl Resolver<'_> {
         let numbers = ports.iter().map(|at| at.components().map_each(|x| evaluated::value(x, &declared)));
         let hull = corners(&numbers.collect_vec()).into_iter().map(|corner| ports[corner]).collect_vec();
         let origin = hull[0];
-        Ok((origin, rounded(&hull, width / Expr::from(2), origin)))
+        Ok((origin, rounded(&hull, width / Expr::from(2), origin), Some(width)))
     }
 }
 

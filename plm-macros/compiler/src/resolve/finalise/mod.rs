@@ -186,6 +186,7 @@ impl<'a> Resolver<'a> {
         self.check_plate(body);
         let starts = self.starts(body);
         let contour = self.contour(body);
+        let width = if self.is_plate(body) { self.plate(body).map(|plate| plate.width) } else { Ok(None) };
         let (depth, scope) = (self.body_field(body, "depth"), self.unresolved.bodies[body].scope);
         let depth = self.depth(scope, depth);
         let ports = self.evaluate_ports(Some(body));
@@ -220,6 +221,7 @@ impl<'a> Resolver<'a> {
             start: [x, y, angle],
             start_velocity: [vx, vy, omega],
             contour: contour?,
+            width: width?,
             holes: Vec::new(),
             depth: depth?,
         })
