@@ -7,7 +7,7 @@ use crate::edit::{Edit, applied, in_order};
 use crate::gesture::Drawn;
 use crate::insert::{Insertion, Section, Words};
 use crate::lexer::tokens;
-use crate::number::rounded;
+use crate::number::{Literal, rounded};
 use crate::picture::{Picture, Point, turned};
 use crate::refusal::Refusal;
 use crate::rules::{FINE, turn_of_axes};
@@ -100,7 +100,7 @@ fn starts(
     });
     let (handle, numbers, placed) = known.ok_or_else(|| Refusal::NotShown(own[0].name.clone()))?;
     let angle = turn_of_axes(handle.axes, placed.angle);
-    let [x, y] = turned(numbers.each_ref().map(|number| number.si()), angle);
+    let [x, y] = turned(numbers.each_ref().map(Literal::si), angle);
     let origin =
         [placed.at[0] - x + dx, placed.at[1] - y + dy].map(|part| rounded(1e3 * part, 1e3 * FINE * grid));
     let degrees = rounded(angle.to_degrees(), FINEST_ANGLE);

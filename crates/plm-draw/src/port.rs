@@ -142,14 +142,13 @@ pub(crate) fn groove(
         }
     }
     let (to, along) = along.ok_or_else(|| Refusal::NoBar(from.name.clone()))?;
-    let axis = match point_of(from).zip(point_of(to)) {
-        Some((from, to)) => format!(", axis: {to} - {from}"),
-        None => {
-            let [x, y] = turned(along, -turn_of_axes(from.axes, at.angle));
-            match rounded(y.atan2(x).to_degrees(), FINEST_ANGLE).as_str() {
-                "0" => String::new(),
-                angle => format!(", axis: {angle} deg"),
-            }
+    let axis = if let Some((from, to)) = point_of(from).zip(point_of(to)) {
+        format!(", axis: {to} - {from}")
+    } else {
+        let [x, y] = turned(along, -turn_of_axes(from.axes, at.angle));
+        match rounded(y.atan2(x).to_degrees(), FINEST_ANGLE).as_str() {
+            "0" => String::new(),
+            angle => format!(", axis: {angle} deg"),
         }
     };
     let written = from.body.and_then(|of| of.ports.first()).ok_or(Refusal::NoMechanism)?;

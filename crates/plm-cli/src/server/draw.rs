@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 use super::document::Document;
 use super::text;
 use crate::checked::checked;
-use crate::excerpt::excerpts;
+use crate::excerpt::{excerpts, is_rust};
 
 /// Dimensions by their words.
 const DIMENSIONS: [(&str, Dimension); 4] =
@@ -43,7 +43,8 @@ pub(super) fn answered_of_text(
     kept: &mut Option<Dragging>,
 ) -> Value {
     let asked = &params["gesture"];
-    let is_plain = text::path(uri).ends_with(".plm") && !original.contains('\r');
+    let is_declaration = !is_rust(&text::path(uri));
+    let is_plain = is_declaration && !original.contains('\r');
     if is_plain && asked["kind"] == "drag" && asked["live"] == true {
         return followed(original, params, kept).unwrap_or_else(|Unread(expected)| unread(expected));
     }

@@ -29,13 +29,16 @@ pub P {
 }
 ";
 
+/// A corner of a polyline with the bulge of the arc that follows.
+type Corner = ([f64; 2], f64);
+
 /// What a drawing has, mm.
 #[derive(Default)]
 struct Drawn {
     /// Centres and radii.
     circles: Vec<([f64; 2], f64)>,
     /// Corners and bulges of closed lines, with their layers.
-    lines: Vec<(String, Vec<([f64; 2], f64)>)>,
+    lines: Vec<(String, Vec<Corner>)>,
 }
 
 /// The circles and polylines of a DXF text.
@@ -71,7 +74,7 @@ fn area(corners: &[([f64; 2], f64)]) -> f64 {
     let parts = corners.iter().zip(next).map(|(([x0, y0], bulge), ([x1, y1], _))| {
         let angle = 4.0 * bulge.atan();
         let radius = if angle == 0.0 { 0.0 } else { (x1 - x0).hypot(y1 - y0) / 2.0 / (angle / 2.0).sin() };
-        (x0 * y1 - y0 * x1 + radius * radius * (angle - angle.sin())) / 2.0
+        0.5 * (x0 * y1 - y0 * x1 + radius * radius * (angle - angle.sin()))
     });
     parts.sum()
 }

@@ -1,5 +1,7 @@
 //! A sheet as DXF (Autodesk, DXF Reference, R12): polylines with bulges, circles, and names on a layer of their own.
 
+use std::fmt::Write;
+
 use super::region::{Path, Point};
 use super::sheet::Sheet;
 
@@ -13,7 +15,7 @@ struct Groups(String);
 
 impl Groups {
     fn put(&mut self, code: u32, value: &str) {
-        self.0.push_str(&format!("{code:3}\n{value}\n"));
+        let _ = writeln!(self.0, "{code:3}\n{value}");
     }
 
     fn number(&mut self, code: u32, value: f64) {

@@ -31,7 +31,7 @@ impl Motion<'_> {
                 .filter(|&other| self.meet(link, &self.links[other]))
                 .map(|other| layers[other])
                 .collect();
-            layers.push((1..).find(|layer| !met.contains(layer)).unwrap_or(k + 1));
+            layers.push((1..=k).find(|layer| !met.contains(layer)).unwrap_or(k + 1));
         }
         layers
     }

@@ -52,7 +52,7 @@ impl Default for Cutting {
 pub struct Links {
     /// Names of files and their texts: a sheet, a drawing of each link, tables of pins and of lengths.
     pub files: Vec<(String, String)>,
-    /// What is told about them.
+    /// Messages about them.
     pub notices: Vec<Notice>,
 }
 
@@ -70,7 +70,7 @@ struct Link {
 struct Joint {
     name: String,
     bodies: [Option<usize>; 2],
-    /// Where the pin stands in a body that it does not move in.
+    /// The place of the pin in a body that it does not move in.
     at: Option<(usize, Point)>,
     /// Round holes: bodies, and places in them.
     holes: Vec<(usize, Point)>,

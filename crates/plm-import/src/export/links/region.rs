@@ -3,7 +3,7 @@
 /// A place in the plane, m.
 pub(super) type Point = [f64; 2];
 
-/// What lies within a radius of a polygon, whose corners go round counter-clockwise.
+/// All places within a radius of a polygon, whose corners go round counter-clockwise.
 ///
 /// One corner is a disc, two are a capsule. A radius other than zero stands round a convex polygon.
 #[derive(Clone, Debug, PartialEq)]
@@ -157,7 +157,7 @@ mod tests {
             let angle = 4.0 * bulge.atan();
             let radius =
                 if angle == 0.0 { 0.0 } else { (x1 - x0).hypot(y1 - y0) / 2.0 / (angle / 2.0).sin() };
-            (x0 * y1 - y0 * x1 + radius * radius * (angle - angle.sin())) / 2.0
+            0.5 * (x0 * y1 - y0 * x1 + radius * radius * (angle - angle.sin()))
         });
         parts.sum()
     }
