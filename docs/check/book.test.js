@@ -15,8 +15,9 @@ const files = fs.readdirSync(book, { recursive: true }).map((file) => file.repla
 const pages = files.filter((file) => file.endsWith(".html") && !["404.html", "toc.html"].includes(file));
 const text = (file) => fs.readFileSync(path.join(book, file), "utf8");
 
-/** Values of an attribute in a page. */
-const values = (html, name) => [...html.matchAll(new RegExp(`\\s${name}="([^"]*)"`, "g"))].map((found) => found[1]);
+/** Values of an attribute in the tags of a page; a listing of HTML has none. */
+const values = (html, name) =>
+  [...html.matchAll(/<[a-z][^<>]*>/gi)].flatMap(([tag]) => [...tag.matchAll(new RegExp(`\\s${name}="([^"]*)"`, "g"))].map((found) => found[1]));
 
 test("every link of every page leads to a page and a place in it", () => {
   const ids = new Map(pages.map((page) => [page, new Set(values(text(page), "id"))]));
