@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { shot, state, until } from "./support/browser.js";
-import { FOUR_BAR, drawing, isCurrent, isNear, isWhole, playground, portAt, skip, typed } from "./support/hand.js";
+import { FOUR_BAR, drawing, isCurrent, isNear, isWhole, portAt } from "./support/hand.js";
+import { playground, skip, typed } from "./support/playground.js";
 
 test("a four-bar is drawn by keyboard alone", { skip }, async () => {
   const { page, errors } = await playground();
@@ -60,8 +61,8 @@ test("a bar is copied, its pin mirrored, a dimension locked, and a slider writte
   assert.match(await typed(page), /param p4_x: mm = 200 mm;\n[^]*let p4 = \(p4_x, 0 mm\);/);
   // It has a slider, whose value goes into the text.
   await page.evaluate(() => window.plmPage.app.live.set("parameter", 0, 0.19));
-  await page.waitForFunction(() => !document.querySelector("#parameter-0-write").hidden);
-  await page.evaluate(() => document.querySelector("#parameter-0-write").click());
+  await page.waitForFunction(() => !document.querySelector("#write-parameter-0").hidden);
+  await page.evaluate(() => document.querySelector("#write-parameter-0").click());
   assert.match(await typed(page), /param p4_x: mm = 190 mm;/);
   await isWhole(page);
   assert.ok(isNear(await portAt(page, "bar3", "b"), [190, 0]));

@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { shot, state, until } from "./support/browser.js";
-import { handOn, isWhole, playground, skip, turnsOn } from "./support/hand.js";
+import { handOn, isWhole, turnsOn } from "./support/hand.js";
+import { playground, skip } from "./support/playground.js";
 
 /** A turn of the wrist: tools by their words, and what is pressed with each. @param {any} page @param {[string, number[][]][]} strokes */
 async function draws(page, strokes) {

@@ -69,7 +69,7 @@ export class Dials {
 
   /** @param {Text} text @param {"parameter" | "input"} kind @param {number} index @param {string} name */
   writer(text, kind, index, name) {
-    const button = element("button", { type: "button", class: "write", id: `${kind}-${index}-write`, hidden: true, title: `${name} has this value in the text` }, "Write into the text");
+    const button = element("button", { type: "button", class: "write", id: `write-${kind}-${index}`, hidden: true, title: `${name} has this value in the text` }, "Write into the text");
     button.addEventListener("click", () => {
       const value = this.live.settings[kind][index];
       if (value !== undefined && value !== null) text.write(name, value);
