@@ -7,14 +7,11 @@ use crate::edit::{Edit, applied, in_order};
 use crate::gesture::Drawn;
 use crate::insert::{Insertion, Section, Words};
 use crate::lexer::tokens;
-use crate::number::{Literal, rounded};
+use crate::number::{Literal, degrees, rounded};
 use crate::picture::{Picture, Point, turned};
 use crate::refusal::Refusal;
 use crate::rules::{FINE, turn_of_axes};
 use crate::sheet::{Axes, Handle, Place, Sheet, mentions};
-
-/// Angles are written to this part of a degree.
-const FINEST_ANGLE: f64 = 1e-3;
 
 /// A body again, so far from the one with this name.
 ///
@@ -103,7 +100,7 @@ fn starts(
     let [x, y] = turned(numbers.each_ref().map(Literal::si), angle);
     let origin =
         [placed.at[0] - x + dx, placed.at[1] - y + dy].map(|part| rounded(1e3 * part, 1e3 * FINE * grid));
-    let degrees = rounded(angle.to_degrees(), FINEST_ANGLE);
+    let degrees = degrees(angle);
     let mut edits = Vec::new();
     for start in &body.starts {
         if !["x", "y", "angle"].contains(&start.coordinate.text.as_str()) {

@@ -5,7 +5,7 @@ use crate::gesture::{Drawn, End, Gesture};
 use crate::insert::{Insertion, Section, Words};
 use crate::layout::formatted;
 use crate::names::{GROUND, PortName};
-use crate::number::{Change, rounded};
+use crate::number::{Change, degrees, rounded};
 use crate::picture::{Picture, Point, between};
 use crate::refusal::Refusal;
 use crate::rules::{Drag, Dragged, FINE, Held, drag};
@@ -126,6 +126,14 @@ pub(crate) fn point_of<'s>(handle: &Handle<'s>) -> Option<&'s str> {
             through
         }
         _ => None,
+    }
+}
+
+/// The words that give a port an axis along a direction; none along x.
+pub(crate) fn axis_along([x, y]: Point) -> String {
+    match degrees(y.atan2(x)).as_str() {
+        "0" => String::new(),
+        angle => format!(", axis: {angle} deg"),
     }
 }
 

@@ -109,6 +109,11 @@ impl Change {
     }
 }
 
+/// An angle in degrees, to a thousandth.
+pub(crate) fn degrees(angle: f64) -> String {
+    rounded(angle.to_degrees(), 1e-3)
+}
+
 /// A number to the decimals of a step, without zeros at its end.
 pub(crate) fn rounded(value: f64, step: f64) -> String {
     let digits = (-step.log10()).ceil().clamp(0.0, f64::from(MOST_DIGITS)) as usize;

@@ -1,19 +1,15 @@
 //! Ports: a body gets another pin where a hand puts it, and a slot along its bar.
 
-use crate::draw::{handle_of, named_point, new_ground, place_of, point_at, point_of};
+use crate::draw::{axis_along, handle_of, named_point, new_ground, place_of, point_at, point_of};
 use crate::edit::Edit;
 use crate::gesture::{Drawn, End};
 use crate::insert::{Insertion, Section, Words};
 use crate::names::PortName;
-use crate::number::rounded;
 use crate::picture::{Picture, Point, between, turned};
 use crate::refusal::Refusal;
 use crate::remove::statement;
 use crate::rules::{FINE, turn_of_axes};
 use crate::sheet::{Axes, Handle, Place, Sheet};
-
-/// Directions are written to this part of a degree.
-const FINEST_ANGLE: f64 = 1e-3;
 
 /// Names of ports, in their order.
 const LETTERS: &str = "abcdefghijklmnopqrstuw";
@@ -145,11 +141,7 @@ pub(crate) fn groove(
     let axis = if let Some((from, to)) = point_of(from).zip(point_of(to)) {
         format!(", axis: {to} - {from}")
     } else {
-        let [x, y] = turned(along, -turn_of_axes(from.axes, at.angle));
-        match rounded(y.atan2(x).to_degrees(), FINEST_ANGLE).as_str() {
-            "0" => String::new(),
-            angle => format!(", axis: {angle} deg"),
-        }
+        axis_along(turned(along, -turn_of_axes(from.axes, at.angle)))
     };
     let written = from.body.and_then(|of| of.ports.first()).ok_or(Refusal::NoMechanism)?;
     let place = sheet.text_of(written.at.span);

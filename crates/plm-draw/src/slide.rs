@@ -1,17 +1,13 @@
 //! Slides: a port is guided along a line of the ground, as the cross-head of a crank drive is.
 
-use crate::draw::{handle_of, place_of, point_at, point_of};
+use crate::draw::{axis_along, handle_of, place_of, point_at, point_of};
 use crate::gesture::Drawn;
 use crate::insert::{Insertion, Section, Words};
 use crate::names::{GROUND, PortName};
-use crate::number::rounded;
 use crate::picture::{Picture, Point, between};
 use crate::refusal::Refusal;
 use crate::rules::FINE;
 use crate::sheet::Sheet;
-
-/// Directions are written to this part of a degree.
-const FINEST_ANGLE: f64 = 1e-3;
 
 /// A rail of the ground through a port, toward a point, and the slot that holds the port on it.
 ///
@@ -36,10 +32,7 @@ pub(crate) fn slide(
     }
     // A line has two directions; the one to the right is written, or the one upwards.
     let (dx, dy) = if dx < 0.0 || (dx == 0.0 && dy < 0.0) { (-dx, -dy) } else { (dx, dy) };
-    let axis = match rounded(dy.atan2(dx).to_degrees(), FINEST_ANGLE).as_str() {
-        "0" => String::new(),
-        angle => format!(", axis: {angle} deg"),
-    };
+    let axis = axis_along([dx, dy]);
     let (mut words, mut insertion) = (Words::of(sheet.text), Insertion::default());
     let point = point_of(handle).map_or_else(|| point_at(at, grid), str::to_owned);
     let rail = words.fresh("g");

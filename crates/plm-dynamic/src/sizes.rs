@@ -28,7 +28,7 @@ pub type Large = Dynamic<f64, 192, 224, 448, 64>;
 /// The tables of a mechanism, of the smallest size that has room.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Models {
-    /// Those of [`Tiny`], and those of [`Small`], which runs by every method.
+    /// Those of [`Tiny`], and those of [`Small`], in which derivatives and steps by themselves are made.
     Tiny([&'static Model; 2], Contents),
     /// Those of [`Small`].
     Small(&'static Model, Contents),

@@ -142,22 +142,22 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
         }
     }
 
-    /// Returns to the start of a step that could not be made. One of fixed length is made in parts first: it leads far astray before a loop
-    /// is near a singular pose.
+    /// Returns to the start of a step that could not be made.
     #[cold]
     pub(crate) fn fail(&mut self, from: &Beginning<M>, fault: Fault) -> Made<M::S> {
         let reached = Some(self.context.time).filter(|time| *time > from.time);
         self.refuse(from);
-        let until = self.method.next_time().map(|next| reached.unwrap_or(next));
-        match until.filter(|until| *until > from.time && Self::parts_help(&fault)) {
+        self.divide(reached.or_else(|| self.method.next_time()), fault)
+    }
+
+    /// A step to a time that has a fault: one of fixed length is made in parts first, because it leads far astray before a loop is near a
+    /// singular pose. Where no pose is singular, the length that fails is the user's.
+    fn divide(&self, until: Option<M::S>, fault: Fault) -> Made<M::S> {
+        let helps = M::Rescue::POSSIBLE && self.method.next_time().is_some() && is_singular(&fault);
+        match until.filter(|until| helps && *until > self.context.time) {
             Some(until) => Made::Split(Parts { until, count: 2, fault: Some(fault) }),
             None => Made::Failed(fault),
         }
-    }
-
-    /// Can a step of fixed length with this fault be made in parts? Where no pose is singular, the length that fails is the user's.
-    fn parts_help(fault: &Fault) -> bool {
-        M::Rescue::POSSIBLE && is_singular(fault)
     }
 
     /// Carries out the judge's verdict on the proposed step, from its beginning to the state reached.
@@ -293,12 +293,7 @@ impl<'c, M: Mechanism, I: Method<M>, O: Observer<M>> Advance<'_, 'c, M, I, O> {
             self.method.restart();
         }
         if !(has_shorter && is_long) {
-            let helps = self.method.next_time().is_some() && Self::parts_help(&fault);
-            return if helps {
-                Made::Split(Parts { until: time, count: 2, fault: Some(fault) })
-            } else {
-                Made::Failed(fault)
-            };
+            return self.divide(Some(time), fault);
         }
         self.begin().map_or_else(Made::Failed, |()| Made::Shortened)
     }

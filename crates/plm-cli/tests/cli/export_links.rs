@@ -32,7 +32,7 @@ pub P {
 /// A corner of a polyline with the bulge of the arc that follows.
 type Corner = ([f64; 2], f64);
 
-/// What a drawing has, mm.
+/// Circles and lines of a drawing, mm.
 #[derive(Default)]
 struct Drawn {
     /// Centres and radii.

@@ -126,9 +126,7 @@ where
     /// A study under this name. `row` computes the columns, (name, unit), of a point, or an error; it must be a function of the point
     /// alone. Units are labels of the table: values are written without conversion.
     pub fn new(name: &str, points: Points<P>, columns: [(&str, &str); C], row: F) -> Self {
-        let columns = columns.map(Quantity::from);
-        let plan = Plan { name: name.to_owned(), revision: String::new(), points, columns };
-        Self { plan, row, stack: crate::batch::STACK }
+        Self::of(name, points, columns, row)
     }
 }
 
@@ -145,17 +143,17 @@ impl<S, R, const P: usize, const C: usize> Study<To<S, R>, P, C> {
     where
         To<S, R>: Rows<P, C>,
     {
-        let plan = Plan {
-            name: name.to_owned(),
-            revision: String::new(),
-            points,
-            columns: columns.map(Quantity::from),
-        };
-        Self { plan, row: To { until, start, row }, stack: crate::batch::STACK }
+        Self::of(name, points, columns, To { until, start, row })
     }
 }
 
 impl<F, const P: usize, const C: usize> Study<F, P, C> {
+    fn of(name: &str, points: Points<P>, columns: [(&str, &str); C], row: F) -> Self {
+        let columns = columns.map(Quantity::from);
+        let plan = Plan { name: name.to_owned(), revision: String::new(), points, columns };
+        Self { plan, row, stack: crate::batch::STACK }
+    }
+
     /// Sets a text that must change whenever the row of a point changes: duration of a run, method. Logs of another revision are refused.
     #[must_use]
     pub fn revision(mut self, words: &str) -> Self {

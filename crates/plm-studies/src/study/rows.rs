@@ -6,7 +6,7 @@ use plm_runtime::lanes::Pack;
 use plm_runtime::method::{Embedded, Pair};
 use plm_runtime::{Fault, Sim};
 
-use crate::batch::caught;
+use crate::batch::{Failure, caught};
 use crate::together::{TOGETHER, together};
 
 /// Makes the rows of C numbers of points of P parameters. Functions of a point are such, and simulations of [`Study::to`](super::Study::to).
@@ -29,7 +29,7 @@ where
     fn rows(&self, points: &[[f64; P]], done: &mut dyn FnMut(usize, Result<[f64; C], String>)) {
         for (place, point) in points.iter().enumerate() {
             let row = caught(|| self(*point).map_err(|error| error.to_string()));
-            done(place, row.unwrap_or_else(|words| Err(format!("panic: {words}"))));
+            done(place, row.unwrap_or_else(|words| Err(Failure::Panic(words).to_string())));
         }
     }
 }
