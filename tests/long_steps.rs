@@ -19,11 +19,10 @@ mod scene;
 #[path = "support/random.rs"]
 mod random;
 
-use plm::{
-    BodyState, Dop853, Fault, Gauss, Mechanism as _, Method, Notice, Rk4, Ros34Pw2, SemiImplicitEuler,
-};
+use plm::{BodyState, Dop853, Fault, Gauss, Notice, Rk4, Ros34Pw2, SemiImplicitEuler};
+use plm_run::AnyMethod;
 use random::Random;
-use scene::{Given as _, Named as _, Scene, State};
+use scene::{By as _, Given as _, Named as _, Scene, State};
 
 scene! {
     pub Pendulum {
@@ -169,8 +168,8 @@ struct Run {
 }
 
 /// Runs in steps of `h` beside the right motion.
-fn run<I: Method<Scene>>(mechanism: Scene, method: I, h: f64, right: &[Motion]) -> Run {
-    let mut sim = mechanism.start_with(method).unwrap();
+fn run(mechanism: Scene, method: impl Into<AnyMethod<Scene>>, h: f64, right: &[Motion]) -> Run {
+    let mut sim = mechanism.by(method).unwrap();
     let (mut error, mut fault, mut most_steps) = (0.0_f64, None, 0);
     for right in right {
         let before = sim.stats();
@@ -194,7 +193,7 @@ fn run<I: Method<Scene>>(mechanism: Scene, method: I, h: f64, right: &[Motion]) 
 
 /// The right motion after each step of `h`.
 fn right(mechanism: Scene, h: f64, steps: usize) -> Option<Vec<Motion>> {
-    let mut sim = mechanism.start_with(Dop853::new(1e-11).with_most_steps(100_000)).ok()?;
+    let mut sim = mechanism.by(Dop853::new(1e-11).with_most_steps(100_000)).ok()?;
     (0..steps).map(|_| sim.step(h).ok().map(|()| bodies(&sim))).collect()
 }
 

@@ -4,7 +4,6 @@
 
 mod branches;
 mod described;
-mod gravity;
 mod joints;
 mod language;
 mod observe;

@@ -3,10 +3,11 @@
 use core::f64::consts::PI;
 use std::thread;
 
-use plm::{Dop853, Fault, Mechanism as _, Rk4, Ros34Pw2, Sim};
+use plm::{Dop853, Fault, Rk4, Ros34Pw2};
+use plm_run::AnySim;
 
 use crate::random::Random;
-use crate::scene::{Given as _, Named as _, Scene};
+use crate::scene::{By as _, Given as _, Named as _, Scene};
 
 /// A parallelogram without gravity that turns at 1 rad/s from 1 rad, and is flat at half a turn.
 macro_rules! rhomb {
@@ -41,8 +42,8 @@ rhomb!(least, {
 rhomb!(absolute, { formulation: absolute; });
 
 /// At the end of a run with the edge at `PI + off`: the simulation, and how long it should have been past the edge.
-fn run(parallelogram: Scene, off: f64) -> (Sim<Scene>, f64) {
-    let mut sim = parallelogram.with("edge", PI + off).start().unwrap();
+fn run(parallelogram: Scene, off: f64) -> (AnySim<Scene>, f64) {
+    let mut sim = parallelogram.with("edge", PI + off).begin().unwrap();
     sim.step(2.5).unwrap();
     assert!(sim.stats().near_singular > 0, "{off}: {:?}", sim.stats());
     assert_eq!(sim.stats().switches, 1, "{off}");
@@ -106,7 +107,7 @@ macro_rules! turn {
         (cranks.left_mass, cranks.top_mass, cranks.right_mass) = (left_mass, top_mass, right_mass);
         (cranks.left_inertia, cranks.top_inertia, cranks.right_inertia) =
             (left_inertia, top_inertia, right_inertia);
-        let mut sim = cranks.start_with($method).unwrap();
+        let mut sim = cranks.by($method).unwrap();
         let before = sim.kinetic_energy();
         let end = sim.step(5.0);
         ((sim.kinetic_energy() / before - 1.0).abs(), sim.stats().near_singular, sim.right().angle, end)

@@ -4,7 +4,7 @@ use plm::runtime::charts::{Charted as _, OfLoops};
 use plm::runtime::{Absolute as _, Vector as _};
 use plm::{BodyState, Described as _, Dop853, Mechanism as _, Moment as _, Rate};
 
-use crate::scene::{Named as _, Scene, State, numbers};
+use crate::scene::{By as _, Named as _, Scene, State, numbers};
 
 /// A mechanism in the formulation that is taken, and in absolute coordinates. With `compiled` rustc compiles the first one too.
 macro_rules! on_both {
@@ -35,8 +35,8 @@ pub(crate) use on_both;
 
 /// The same motion and the same outputs, joints that are closed, and at one state the same accelerations.
 pub(crate) fn moves_alike_on_both(least: &Scene, absolute: &Scene) {
-    let mut one = least.start_with(Dop853::new(1e-12)).unwrap();
-    let mut other = absolute.start_with(Dop853::new(1e-12)).unwrap();
+    let mut one = least.by(Dop853::new(1e-12)).unwrap();
+    let mut other = absolute.by(Dop853::new(1e-12)).unwrap();
     for step in 0..=5 {
         let (state, reference) = (*one.state(), *other.state());
         all_move_alike(&state, &reference, 1e-9);
@@ -313,7 +313,7 @@ mod driven {
 
 #[test]
 fn what_is_driven_altogether_has_no_state() {
-    let mut sim = driven::CrankRocker::new().start().unwrap();
+    let mut sim = driven::CrankRocker::new().begin().unwrap();
     let mut samples = Vec::new();
     sim.run(20.0, 0.1, |state| {
         // The room of a state is all unused.
@@ -331,7 +331,7 @@ fn what_is_driven_altogether_has_no_state() {
         // The knee stays above the line from the crank's pin to the pivot.
         assert!((rocker - coupler).sin() > 0.1, "{time}");
     }
-    let mut fixed = driven::CrankRocker::new().start_with(plm::Rk4::new(0.01)).unwrap();
+    let mut fixed = driven::CrankRocker::new().by(plm::Rk4::new(0.01)).unwrap();
     fixed.step(20.0).unwrap();
     close("rocker", values(fixed.state_of("rocker")), values(sim.state_of("rocker")), 1e-14);
 }
@@ -341,7 +341,7 @@ fn what_is_driven_altogether_has_no_state() {
 ///
 /// With `y' = P(q) v` of the chart, `y'' = P a + P' v`; the second term, which angles do not have, by a difference quotient.
 fn accelerations_apart(least: &Scene, absolute: &Scene) -> f64 {
-    let mut sim = least.start().unwrap();
+    let mut sim = least.begin().unwrap();
     let (held_5, _) = absolute.start_state(0.0).unwrap();
     let mut worst = 0.0_f64;
     for _ in 0..20 {

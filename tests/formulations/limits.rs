@@ -1,9 +1,9 @@
 //! Dyads that come to their own limits, at which no bar of the loops before them can drive them: against absolute coordinates.
 
-use plm::{Dop853, Mechanism as _};
+use plm::Dop853;
 
 use super::formulations::all_move_alike;
-use crate::scene::Scene;
+use crate::scene::{By as _, Scene};
 
 /// A mechanism in the formulation that is taken, and in absolute coordinates, over so many intervals of 50 ms; coordinates must change so often.
 macro_rules! passes_limits {
@@ -25,10 +25,10 @@ macro_rules! passes_limits {
 }
 
 fn passes(least: &Scene, absolute: &Scene, intervals: u32, charts: u64) {
-    let mut one = least.start_with(Dop853::new(1e-11)).unwrap();
-    let mut other = absolute.start_with(Dop853::new(1e-11)).unwrap();
+    let mut one = least.by(Dop853::new(1e-11)).unwrap();
+    let mut other = absolute.by(Dop853::new(1e-11)).unwrap();
     // In one go, by the default.
-    let mut whole = least.start().unwrap();
+    let mut whole = least.begin().unwrap();
     for _ in 0..intervals {
         one.step(0.05).unwrap();
         other.step(0.05).unwrap();

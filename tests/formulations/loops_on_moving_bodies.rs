@@ -1,9 +1,9 @@
 //! Loops on bodies that fall from an unstable rest: long steps at first, then a loop that is thrown about.
 
-use plm::{Dop853, Mechanism as _, Moment as _, Rk4, Stabilise as _};
+use plm::{Dop853, Moment as _, Rk4, Stabilise as _};
 
 use super::formulations::{close, values};
-use crate::scene::{Given as _, Named as _};
+use crate::scene::{By as _, Given as _, Named as _};
 
 /// A four-bar that a jack holds, on a stick whose torque drives it away from where it stands.
 macro_rules! stick {
@@ -39,9 +39,9 @@ fn a_loop_follows_the_body_that_carries_it() {
     for angle in [1e-9, 1e-4, 1e-2] {
         let least = stick::loops::Stick::new().with_start("stick.angle", angle);
         let absolute = stick::absolute::Stick::new().with_start("stick.angle", angle);
-        let mut one = least.start().unwrap();
-        let mut fixed = least.start_with(Rk4::new(1e-4)).unwrap();
-        let mut other = absolute.start_with(Dop853::new(1e-11)).unwrap();
+        let mut one = least.begin().unwrap();
+        let mut fixed = least.by(Rk4::new(1e-4)).unwrap();
+        let mut other = absolute.by(Dop853::new(1e-11)).unwrap();
         while other.state_of("stick").angle.abs() < 4.0 && other.time() < 4.0 {
             one.step(0.01).unwrap();
             fixed.step(0.01).unwrap();
@@ -119,7 +119,7 @@ fn an_excavator_falls_from_an_unstable_rest() {
     }
     // From there on in absolute coordinates too.
     let absolute = excavator::absolute::Excavator::new().with_starts(&sim.starts());
-    let mut other = absolute.start_with(Dop853::new(1e-11)).unwrap();
+    let mut other = absolute.by(Dop853::new(1e-11)).unwrap();
     let (start, mut fallen) = (sim.state_of("stick").angle, 0.0_f64);
     for _ in 0..150 {
         sim.step(0.01).unwrap();

@@ -1,9 +1,9 @@
 //! Loops that do not split, by Newton's iteration: against absolute coordinates, and where the iteration could fail.
 
-use plm::{Dop853, Mechanism as _, Moment as _, Rk4};
+use plm::{Dop853, Moment as _, Rk4};
 
 use super::formulations::{close, on_both, values};
-use crate::scene::{Given as _, Named as _};
+use crate::scene::{By as _, Given as _, Named as _};
 
 // 8 bars and three loops (K. J. Waldron, S. V. Sreenivasan, J. Mech. Design 118, 1996): 6 angles at once.
 on_both!(double_butterfly, compiled butterfly, {
@@ -96,8 +96,8 @@ fn a_double_butterfly_turns_over() {
     for omega in [1.0, 3.0] {
         let least = double_butterfly::least::Scene::new().with_start("base.omega", omega);
         let absolute = double_butterfly::absolute::Scene::new().with_start("base.omega", omega);
-        let mut one = least.start_with(Dop853::new(1e-13)).unwrap();
-        let mut other = absolute.start_with(Dop853::new(1e-13)).unwrap();
+        let mut one = least.by(Dop853::new(1e-13)).unwrap();
+        let mut other = absolute.by(Dop853::new(1e-13)).unwrap();
         let start = one.kinetic_energy() + one.gravity_energy();
         for _ in 0..100 {
             one.step(0.1).unwrap();
@@ -114,8 +114,8 @@ fn a_double_butterfly_turns_over() {
 /// Tolerances so loose that steps reach beyond what the iteration can follow: shorter ones are made.
 #[test]
 fn steps_are_no_longer_than_the_iteration_can_follow() {
-    let mut loose = double_butterfly::least::Scene::new().start_with(Dop853::new(5e-6)).unwrap();
-    let mut exact = double_butterfly::absolute::Scene::new().start_with(Dop853::new(1e-10)).unwrap();
+    let mut loose = double_butterfly::least::Scene::new().by(Dop853::new(5e-6)).unwrap();
+    let mut exact = double_butterfly::absolute::Scene::new().by(Dop853::new(1e-10)).unwrap();
     loose.step(3.0).unwrap();
     exact.step(3.0).unwrap();
     close("base", values(loose.state_of("base")), values(exact.state_of("base")), 1e-3);
@@ -125,8 +125,8 @@ fn steps_are_no_longer_than_the_iteration_can_follow() {
 #[test]
 fn a_fixed_step_that_is_too_long_is_divided() {
     let scene = double_butterfly::least::Scene::new();
-    let mut coarse = scene.start_with(Rk4::new(0.5)).unwrap();
-    let mut exact = double_butterfly::absolute::Scene::new().start_with(Dop853::new(1e-10)).unwrap();
+    let mut coarse = scene.by(Rk4::new(0.5)).unwrap();
+    let mut exact = double_butterfly::absolute::Scene::new().by(Dop853::new(1e-10)).unwrap();
     coarse.step(0.5).unwrap();
     exact.step(0.5).unwrap();
     assert!(coarse.stats().divided == 1, "{:?}", coarse.stats());
@@ -137,10 +137,10 @@ fn a_fixed_step_that_is_too_long_is_divided() {
 #[test]
 fn fixed_steps_converge() {
     let scene = double_butterfly::least::Scene::new();
-    let mut exact = scene.start_with(Dop853::new(1e-12)).unwrap();
+    let mut exact = scene.by(Dop853::new(1e-12)).unwrap();
     exact.step(0.5).unwrap();
     let error = |h: f64| {
-        let mut fixed = scene.start_with(Rk4::new(h)).unwrap();
+        let mut fixed = scene.by(Rk4::new(h)).unwrap();
         fixed.step(0.5).unwrap();
         assert_eq!(fixed.stats().rejected, 0, "{h}");
         (fixed.state_of("base").angle - exact.state_of("base").angle).abs()
@@ -156,7 +156,7 @@ fn fixed_steps_are_divided_where_a_group_turns_sharply() {
     let scene = double_butterfly::least::Scene::new().with_start("base.omega", 3.0);
     // The most energy that is lost or won in a millisecond.
     let lost = |h: f64| {
-        let mut fixed = scene.start_with(Rk4::new(h)).unwrap();
+        let mut fixed = scene.by(Rk4::new(h)).unwrap();
         let energies = (0..=10_000).map(|_| {
             let energy = fixed.kinetic_energy() + fixed.gravity_energy();
             fixed.step(1e-3).unwrap();
@@ -173,8 +173,8 @@ fn fixed_steps_are_divided_where_a_group_turns_sharply() {
 /// What counts as closed depends on the arithmetic.
 #[test]
 fn single_precision_iterates_as_well() {
-    let mut single = butterfly::Scene::<f32>::of().start_with(Rk4::new(1e-3)).unwrap();
-    let mut double = double_butterfly::least::Scene::new().start_with(Rk4::new(1e-3)).unwrap();
+    let mut single = butterfly::Scene::<f32>::of().by(Rk4::new(1e-3)).unwrap();
+    let mut double = double_butterfly::least::Scene::new().by(Rk4::new(1e-3)).unwrap();
     single.step(1.0).unwrap();
     double.step(1.0).unwrap();
     let (found, wanted) = (f64::from(single.base().angle), double.state_of("base").angle);

@@ -1,9 +1,9 @@
 //! Rows that say what others say, and rows on bodies that no joint holds: every formulation moves alike.
 
-use plm::{Dop853, Mechanism as _, Moment as _};
+use plm::{Dop853, Moment as _};
 
 use super::formulations::{all_move_alike, on_both};
-use crate::scene::{Given as _, Named as _, Scene};
+use crate::scene::{By as _, Given as _, Named as _, Scene};
 
 /// A mechanism with redundant rows in the formulation that is taken, with so many numbers in its state, and in absolute coordinates.
 macro_rules! moves_alike {
@@ -25,8 +25,8 @@ macro_rules! moves_alike {
 }
 
 fn moves_alike(least: &Scene, absolute: &Scene, states: usize) {
-    let mut one = least.start_with(Dop853::new(1e-11)).unwrap();
-    let mut other = absolute.start_with(Dop853::new(1e-11)).unwrap();
+    let mut one = least.by(Dop853::new(1e-11)).unwrap();
+    let mut other = absolute.by(Dop853::new(1e-11)).unwrap();
     for _ in 0..=5 {
         all_move_alike(&one, &other, 1e-7);
         one.step(0.1).unwrap();
@@ -75,7 +75,7 @@ moves_alike!(a_loaded_triangle_starts_as_it_is_declared, 4, {
 #[test]
 fn assembly_leaves_a_loaded_triangle_where_it_is() {
     let scene = a_loaded_triangle_starts_as_it_is_declared::least::Scene::new();
-    let sim = scene.start().unwrap();
+    let sim = scene.begin().unwrap();
     for name in ["b0", "b1", "b2"] {
         let (body, start) = (sim.state_of(name), |of: &str| scene.start_of(&format!("{name}.{of}")).value);
         let off = [body.x - start("x"), body.y - start("y"), body.angle - start("angle")];

@@ -19,6 +19,7 @@ mod compliance;
 #[path = "../scenes/massless.rs"]
 mod declared;
 mod feedback;
+mod gravity;
 mod manual;
 mod massless;
 mod physics;

@@ -140,6 +140,9 @@ const MORE: &[Step] = &[
     Step::Here(plain("many-machines", "many machines", |place| {
         place.command("bash tests/many_machines.sh").run()
     })),
+    Step::Here(plain("precision", "every method on the smooth benchmark scenes", |place| {
+        place.command("cargo run --release -p plm-speed --bin work_precision -- --quick").run()
+    })),
     Step::Here(plain("instructions", "instruction counts", |place| {
         place.command("bash benches/instructions.sh").run()
     })),

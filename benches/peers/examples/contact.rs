@@ -15,7 +15,7 @@
     reason = "a program that measures"
 )]
 
-#[path = "../../../plm-runtime/examples/contact_runs/clock.rs"]
+#[path = "../../../tests/oracle/speed/src/contact_runs/clock.rs"]
 mod clock;
 
 use rapier2d_f64::prelude::*;

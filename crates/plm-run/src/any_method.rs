@@ -40,6 +40,18 @@ macro_rules! any_method {
                 }
             }
         }
+
+        $(impl<M: Linear> From<$m> for AnyMethod<M> {
+            fn from(method: $m) -> Self {
+                Self::$a(method)
+            }
+        })*
+
+        $(impl<M: Linear> From<$n> for AnyMethod<M> {
+            fn from(method: $n) -> Self {
+                Self::$b(method)
+            }
+        })*
     };
 }
 

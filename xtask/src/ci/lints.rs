@@ -69,8 +69,10 @@ pub(super) fn what_tests_do_not_compile(place: &Place) -> Result {
     Ok(())
 }
 
+/// By the features that tests ask of the crates: with others the compiler, and what is checked of all crates, would be built again.
 pub(super) fn documentation(place: &Place) -> Result {
-    let doc = place.command("cargo doc --no-deps --workspace --features").arg(format!("{FEATURES},view"));
+    let features = format!("{FEATURES},dynamic,jit,optimise,synthesis,view,plm-macros/lowered");
+    let doc = place.command("cargo doc --no-deps --workspace --features").arg(features);
     doc.set("RUSTDOCFLAGS", "-D warnings").run()
 }
 

@@ -21,8 +21,8 @@ pub(super) fn rules(place: &Place) -> Result {
     test.args(["--test", "tidy", "--test", "files"]).run()
 }
 
-/// Two take more than a minute on one core, so that the others run beside them: the disturbed declarations, and the lines of
-/// every method. While these run the lints look at benchmarks, which nobody runs here.
+/// Some take more than a minute on one core, so that the others run beside them: the disturbed declarations, and the tests that build
+/// packages. While these run the lints look at programs and benchmarks that nobody runs here.
 pub(super) fn all(ci: &mut Ci, place: &Place) -> Result {
     let build = "cargo test --no-run --message-format json-render-diagnostics --workspace --features";
     let messages = place.command(build).arg(FEATURES).text()?;
@@ -30,20 +30,25 @@ pub(super) fn all(ci: &mut Ci, place: &Place) -> Result {
     ci.begin("robust", 0, move |place| {
         place.command("").arg(robust).in_folder("plm-macros/compiler").args(["--exact", DISTURBED]).run()
     })?;
-    ci.begin("precision", 0, |place| built(place, "work_precision").arg("--quick").run())?;
-    place.command("cargo check --bench * --workspace --features").arg(FEATURES).run()?;
     print!("{}", ci.join("tools")?);
     let mut path = place.target.join("clang").into_os_string();
     if let Some(others) = std::env::var_os("PATH") {
         path.push(":");
         path.push(others);
     }
+    let of_packages = "cargo test --test no_std --test foreign --workspace --features";
+    place.command(of_packages).args([FEATURES, "--no-run"]).run()?;
+    let own = path.clone();
+    ci.begin("packages of tests", 0, move |place| {
+        place.command(of_packages).arg(FEATURES).set("PATH", own).run()
+    })?;
+    place.command("cargo check --bins --benches --workspace --features").arg(FEATURES).run()?;
     let test = place.command("cargo test --workspace --features").arg(FEATURES).set("PATH", path);
     test.args(["--", "--skip", DISTURBED]).run()?;
     if !ci.join("robust")?.contains("1 passed") {
         return Err(format!("{DISTURBED} is no test of robust"));
     }
-    ci.join("precision").map(drop)
+    ci.join("packages of tests").map(|text| print!("{text}"))
 }
 
 /// The program of a test, as cargo's messages name it.

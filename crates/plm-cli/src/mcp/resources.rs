@@ -1,5 +1,7 @@
 //! Resources by name: the skill, the language in short, pages of the book, parts of the library, and declarations of the pages.
 
+use std::sync::LazyLock;
+
 use plm_compiler::{diag, words};
 use serde_json::{Value, json};
 
@@ -24,7 +26,13 @@ struct Resource {
 const MARKDOWN: &str = "text/markdown";
 const PLAIN: &str = "text/plain";
 
-fn all() -> Vec<Resource> {
+/// All of them. The declarations of the pages are found once.
+fn all() -> &'static [Resource] {
+    static ALL: LazyLock<Vec<Resource>> = LazyLock::new(collected);
+    &ALL
+}
+
+fn collected() -> Vec<Resource> {
     let own = |uri: &str, title: &str, kind, text: &str| Resource {
         uri: uri.to_owned(),
         title: title.to_owned(),
@@ -92,12 +100,12 @@ fn name_of(declaration: &str) -> Option<&str> {
 
 /// The resources as the protocol lists them.
 pub(super) fn list() -> Vec<Value> {
-    let shown = |own: Resource| {
+    let shown = |own: &Resource| {
         let size = own.text.len();
         let name = own.uri.trim_start_matches("plm://").to_owned();
         json!({ "uri": own.uri, "name": name, "title": own.title, "mimeType": own.kind, "size": size })
     };
-    all().into_iter().map(shown).collect()
+    all().iter().map(shown).collect()
 }
 
 /// The forms of their addresses.

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use plm_compiler::compile;
+use plm_compiler::analyse;
 use plm_compiler::token::Sources;
 use plm_draw::lexer::tokens;
 use plm_draw::{Picture, Placed, PortName};
@@ -19,7 +19,7 @@ pub(crate) struct Compiled {
 pub(crate) fn compiled(text: &str) -> Compiled {
     let mut sources = Sources::new();
     sources.add_text("declaration", text);
-    let expansion = compile(&mut sources);
+    let expansion = analyse(&mut sources);
     let problems = expansion.diagnostics.sorted().into_iter();
     let problems = problems.map(|of| (of.code.id().to_owned(), of.render(&sources))).collect();
     let Some(oracle) = expansion.oracle else { return Compiled { picture: None, problems } };

@@ -1,15 +1,15 @@
 //! Dead points, branches, lock-up.
 
-use plm_runtime::{Fault, Mechanism as _};
+use plm_runtime::Fault;
 use plm_view::{Axis, Chart, Rule, Series};
 
 use super::{Figure, Row, so_far};
 use crate::scenes::dead as linkages;
 use crate::scenes::theory::{QUADRORHOMB_FALL, dead_angle, quadrorhomb_limit};
-use crate::text::deep;
+use crate::text::{By as _, deep};
 
 pub fn triple_rocker() -> Result<Figure, Fault> {
-    let mut sim = linkages::triple_rocker().start()?;
+    let mut sim = linkages::triple_rocker().begin()?;
     let trace = linkages::rocking(&mut sim, 60.0);
     let dead = trace.rows.windows(2).filter(|pair| pair[0].1[3] * pair[1].1[3] < 0.0).count();
     let known = dead_angle(0.7, 1.0, 1.1).to_degrees();
@@ -47,7 +47,7 @@ pub fn triple_rocker() -> Result<Figure, Fault> {
 }
 
 pub fn crank_rocker() -> Result<Figure, Fault> {
-    let trace = linkages::cranking(&mut linkages::crank_rocker().start()?, 1);
+    let trace = linkages::cranking(&mut linkages::crank_rocker().begin()?, 1);
     let assembled = linkages::assembling()?;
     let worst = assembled.iter().map(|(_, off)| *off).fold(0.0, f64::max);
     let rows = vec![
@@ -69,7 +69,7 @@ pub fn crank_rocker() -> Result<Figure, Fault> {
 }
 
 pub fn quadrorhomb() -> Result<Figure, Fault> {
-    let trace = deep(|| Ok::<_, Fault>(linkages::falling(&mut linkages::quadrorhomb(0.0).start()?)))?;
+    let trace = deep(|| Ok::<_, Fault>(linkages::falling(&mut linkages::quadrorhomb(0.0).begin()?)))?;
     let limit = quadrorhomb_limit().to_degrees();
     let farthest = |a: (f64, f64), b: (f64, f64)| if b.1.abs() > a.1.abs() { b } else { a };
     // The first time that it comes there; samples stand 1 ms apart.

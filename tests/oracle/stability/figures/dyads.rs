@@ -1,14 +1,15 @@
 //! Dyads that come to their own limits.
 
-use plm_runtime::{Fault, Mechanism as _};
+use plm_runtime::Fault;
 use plm_view::{Axis, Chart, Rule, Series};
 
 use super::{Figure, Row};
 use crate::scenes::dyads::{apart, leading, stephenson};
 use crate::scenes::theory::stephenson_limits;
+use crate::text::By as _;
 
 pub fn six_bar() -> Result<Figure, Fault> {
-    let mut sim = stephenson().start()?;
+    let mut sim = stephenson().begin()?;
     let trace = leading(&mut sim, 3.0);
     let [low, high] = stephenson_limits().map(f64::to_degrees);
     let crank = trace.over_time(1).into_iter().map(|(_, angle)| angle.to_degrees());

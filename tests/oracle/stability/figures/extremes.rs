@@ -1,12 +1,12 @@
 //! Extreme speeds, mass ratios and precision.
 
-use plm_runtime::{Dop853, Fault, Mechanism as _, Rk4};
+use plm_runtime::{Dop853, Fault, Rk4};
 use plm_view::{Axis, Chart, Rule, Series};
 
 use super::{Figure, Row};
 use crate::scenes::loops;
 use crate::scenes::standard::{four_bar, four_bar_in_f32};
-use crate::text::Named as _;
+use crate::text::{By as _, Named as _};
 
 pub fn fast_crank() -> Result<Figure, Fault> {
     let (mut angles, mut energies) = (Vec::new(), Vec::new());
@@ -62,10 +62,10 @@ pub fn precision() -> Result<Figure, Fault> {
     let (mut double, mut single) = (Vec::new(), Vec::new());
     for k in 0..=12 {
         let h = 0.05 * 0.5_f64.powi(k);
-        let mut sim = four_bar().start_with(Rk4::new(h))?;
+        let mut sim = four_bar().by(Rk4::new(h))?;
         sim.step(1.0)?;
         double.push((h, (sim.body_of("crank").angle - known).abs()));
-        let mut sim = four_bar_in_f32().start_with(Rk4::new(h as f32))?;
+        let mut sim = four_bar_in_f32().by(Rk4::new(h as f32))?;
         sim.step(1.0)?;
         let angle = sim.body(0).map_or(f64::NAN, |crank| f64::from(crank.angle));
         single.push((h, (angle - known).abs()));

@@ -2,31 +2,27 @@
 
 use std::f64::consts::TAU;
 
-use plm_runtime::{Fault, Mechanism as _, Rk4};
+use plm_runtime::{Fault, Rk4};
 use plm_view::{Axis, Chart, Series};
 
 use super::{Figure, Row, so_far};
 use crate::scenes::flat::{self as linkages, folding, turning, turning_parallelogram};
 use crate::scenes::run::Trace;
 use crate::scenes::theory::G;
-use crate::text::deep;
+use crate::text::{By as _, deep};
 
 /// Turns of a ladder.
 const TURNS: u32 = 5;
 
 pub fn ladders() -> Result<Figure, Fault> {
-    let forty = deep(|| Ok::<_, Fault>(turning(&mut linkages::long_ladder(40).start()?, 2, 100)))?;
+    let forty = deep(|| Ok::<_, Fault>(turning(&mut linkages::long_ladder(40).begin()?, 2, 100)))?;
     let traces = [
-        ("N = 1", turning(&mut linkages::ladder(1).start()?, TURNS, 100), TURNS),
-        ("N = 2", turning(&mut linkages::ladder(2).start()?, TURNS, 100), TURNS),
+        ("N = 1", turning(&mut linkages::ladder(1).begin()?, TURNS, 100), TURNS),
+        ("N = 2", turning(&mut linkages::ladder(2).begin()?, TURNS, 100), TURNS),
         ("N = 40", forty, 2),
-        (
-            "N = 2, RK4, 10 ms",
-            turning(&mut linkages::ladder(2).start_with(Rk4::new(0.01))?, TURNS, 100),
-            TURNS,
-        ),
+        ("N = 2, RK4, 10 ms", turning(&mut linkages::ladder(2).by(Rk4::new(0.01))?, TURNS, 100), TURNS),
     ];
-    let adrift = turning(&mut linkages::adrift().start_with(Rk4::new(0.01))?, TURNS, 100);
+    let adrift = turning(&mut linkages::adrift().by(Rk4::new(0.01))?, TURNS, 100);
     let mut chart = Chart::new(
         Axis::linear("time", "s"),
         Axis::log("largest relative change of energy so far", ""),
@@ -70,12 +66,12 @@ pub fn folded() -> Result<Figure, Fault> {
         (
             "bars of 1 m and a slider",
             4.0 * 5.0 / 3.0 + 8.0 + G * 0.5_f64.sqrt(),
-            folding(&mut linkages::folded().start()?, 10.0),
+            folding(&mut linkages::folded().begin()?, 10.0),
         ),
         (
             "r = l, pin in a slot",
             39.0 + G * 0.75_f64.sqrt(),
-            folding(&mut linkages::equal_bars().start()?, 10.0),
+            folding(&mut linkages::equal_bars().begin()?, 10.0),
         ),
     ];
     let mut chart =
@@ -101,7 +97,7 @@ pub fn folded() -> Result<Figure, Fault> {
 }
 
 pub fn parallelogram() -> Result<Figure, Fault> {
-    let mut sim = linkages::parallelogram().start()?;
+    let mut sim = linkages::parallelogram().begin()?;
     let trace = turning_parallelogram(&mut sim, TURNS);
     let rows = vec![
         Row::end("parallelogram, 5 turns through 10 change points", &trace.end),

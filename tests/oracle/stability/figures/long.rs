@@ -1,7 +1,8 @@
 //! Long runs: drift of joints and energy, phase, chaos.
 
+use plm_run::AnyMethod;
 use plm_runtime::method::Gauss;
-use plm_runtime::{Dop853, Fault, Mechanism as _, Method, Rk4};
+use plm_runtime::{Dop853, Fault, Rk4};
 use plm_view::{Axis, Chart, Rule, Series};
 
 use super::{Figure, Row, so_far};
@@ -11,7 +12,7 @@ use crate::scenes::run::{Trace, trace};
 use crate::scenes::standard;
 use crate::scenes::theory::S1_AT_10;
 use crate::scenes::trees::{pendulum, phase};
-use crate::text::{Large, Named as _, Scene, deep};
+use crate::text::{By as _, Large, Named as _, Scene, deep};
 
 /// Step of the long runs, s.
 const STEP: f64 = 1e-3;
@@ -19,8 +20,8 @@ const STEP: f64 = 1e-3;
 /// Relative change of the energy, phi (m), phi_dot (m/s), a thousand times.
 type Drift = Trace<3>;
 
-fn four_bar<I: Method<Scene>>(method: I, until: f64) -> Result<Drift, Fault> {
-    let mut sim = standard::four_bar().start_with(method)?;
+fn four_bar(method: impl Into<AnyMethod<Scene>>, until: f64) -> Result<Drift, Fault> {
+    let mut sim = standard::four_bar().by(method)?;
     let energy = sim.kinetic_energy() + sim.gravity_energy();
     Ok(trace(&mut sim, until, until / 1000.0, |s| {
         let [phi, phi_dot] = open(&["crank", "coupler", "rocker"].map(|bar| s.body_of(bar)), &FOUR_BAR);
@@ -28,9 +29,9 @@ fn four_bar<I: Method<Scene>>(method: I, until: f64) -> Result<Drift, Fault> {
     }))
 }
 
-fn quadrorhomb<I: Method<Large> + Send + 'static>(method: I, until: f64) -> Result<Drift, Fault> {
+fn quadrorhomb(method: impl Into<AnyMethod<Large>> + Send + 'static, until: f64) -> Result<Drift, Fault> {
     deep(move || {
-        let mut sim = quadrorhomb_on_a_spring().start_with(method)?;
+        let mut sim = quadrorhomb_on_a_spring().by(method)?;
         let begun = energy(&sim);
         Ok(trace(&mut sim, until, until / 1000.0, |s| {
             let [phi, phi_dot] = open(&bars(s), &QUADRORHOMB);
@@ -117,10 +118,10 @@ fn after<const N: usize>(trace: &Trace<N>, column: usize) -> Vec<(f64, f64)> {
 
 pub fn a01(until: f64) -> Result<Figure, Fault> {
     let runs = [
-        ("default (1e-9)", phase(&mut pendulum().start()?, until, 1.0)),
-        ("DOP853, 1e-12", phase(&mut pendulum().start_with(Dop853::new(1e-12))?, until, 1.0)),
-        ("Gauss 6, 10 ms", phase(&mut pendulum().start_with(Gauss::<_, 3>::new(0.01))?, until, 1.0)),
-        ("RK4, 1 ms", phase(&mut pendulum().start_with(Rk4::new(1e-3))?, until, 1.0)),
+        ("default (1e-9)", phase(&mut pendulum().begin()?, until, 1.0)),
+        ("DOP853, 1e-12", phase(&mut pendulum().by(Dop853::new(1e-12))?, until, 1.0)),
+        ("Gauss 6, 10 ms", phase(&mut pendulum().by(Gauss::<_, 3>::new(0.01))?, until, 1.0)),
+        ("RK4, 1 ms", phase(&mut pendulum().by(Rk4::new(1e-3))?, until, 1.0)),
     ];
     let mut rows = Vec::new();
     let mut chart = Chart::new(Axis::log("time", "s"), Axis::log("error of the phase so far", "rad"))
@@ -153,7 +154,7 @@ pub fn chaos() -> Result<Figure, Fault> {
     let mut errors = Vec::new();
     for k in 18..=26 {
         let rtol = 10_f64.powf(-0.5 * f64::from(k));
-        let mut sim = standard::double_pendulum().start_with(Dop853::new(rtol))?;
+        let mut sim = standard::double_pendulum().by(Dop853::new(rtol))?;
         sim.step(10.0)?;
         let [arm, forearm] = S1_AT_10;
         errors.push((

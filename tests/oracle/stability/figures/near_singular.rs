@@ -1,10 +1,11 @@
 //! Loops that come next to flat.
 
-use plm_runtime::{Fault, Mechanism as _};
+use plm_runtime::Fault;
 use plm_view::{Axis, Chart, Series};
 
 use super::{Figure, Row, so_far};
 use crate::scenes::near_singular::{Passed, differing, folding, parallel, swinging};
+use crate::text::By as _;
 
 /// Length of a run, s: it passes three poses that are flat or nearly so.
 const RUN: f64 = 3.0;
@@ -17,7 +18,7 @@ pub fn turns() -> Result<Figure, Fault> {
     let (mut rows, mut energies) = (Vec::new(), Vec::new());
     let differences = [("0", 0.0, 3), ("1e-14 m", 1e-14, 0), ("1e-6 m", 1e-6, 0), ("1e-2 m", 1e-2, 0)];
     for (k, (name, by, known)) in differences.into_iter().enumerate() {
-        let mut sim = differing(by).start()?;
+        let mut sim = differing(by).begin()?;
         let trace = swinging(&mut sim, RUN);
         let degrees = trace.over_time(1).into_iter().map(|(time, angle)| (time, angle.to_degrees()));
         angles = angles.with(Series::new(format!("e = {name}"), degrees).of_family(k, k));

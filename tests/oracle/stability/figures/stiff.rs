@@ -1,7 +1,7 @@
 //! Stiffness, and the limits of explicit steps.
 
 use plm_runtime::method::RadauIia5;
-use plm_runtime::{Dop853, Fault, Mechanism as _, Rk4};
+use plm_runtime::{Dop853, Fault, Rk4};
 use std::f64::consts::FRAC_PI_2;
 
 use plm_view::{Axis, Chart, Rule, Series};
@@ -9,7 +9,7 @@ use plm_view::{Axis, Chart, Rule, Series};
 use super::{Figure, Row};
 use crate::scenes::stiff::{bounce, growth_of_oscillation, limit, spring_pendulum, stabilised};
 use crate::scenes::theory::{G, pendulum_angle};
-use crate::text::Named as _;
+use crate::text::{By as _, Named as _};
 
 pub fn baumgarte() -> Figure {
     // R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24 leaves [-1, 1] there.
@@ -71,12 +71,12 @@ fn swung(stiffness: f64, rtol: Option<f64>) -> Result<([f64; 2], u64), Fault> {
     let pendulum = spring_pendulum(stiffness);
     let read = |x: f64, y: f64, vx: f64, vy: f64| [x.atan2(-y), (vx * -y + vy * x) / x.hypot(y)];
     let Some(rtol) = rtol else {
-        let mut sim = pendulum.start_with(Dop853::new(1e-13).with_most_steps(u64::MAX))?;
+        let mut sim = pendulum.by(Dop853::new(1e-13).with_most_steps(u64::MAX))?;
         sim.step(1.0)?;
         let bob = sim.body_of("bob");
         return Ok((read(bob.x, bob.y, bob.vx, bob.vy), sim.stats().steps));
     };
-    let mut sim = pendulum.start_with(RadauIia5::new(rtol).with_most_steps(20_000))?;
+    let mut sim = pendulum.by(RadauIia5::new(rtol).with_most_steps(20_000))?;
     sim.step(1.0)?;
     let bob = sim.body_of("bob");
     Ok((read(bob.x, bob.y, bob.vx, bob.vy), sim.stats().steps))

@@ -1,10 +1,11 @@
 //! Mechanisms that wait.
 
-use plm_runtime::{Fault, Mechanism as _};
+use plm_runtime::Fault;
 use plm_view::{Axis, Chart, Series};
 
 use super::{Figure, Row, so_far};
 use crate::scenes::waiting::{apart, pushed as push, pushed_at_once, turned, turntable};
+use crate::text::By as _;
 
 pub fn pushed() -> Result<Figure, Fault> {
     let at_once = pushed_at_once(0.5)?;
@@ -16,7 +17,7 @@ pub fn pushed() -> Result<Figure, Fault> {
         off = apart.iter().fold(off, |off, (_, apart)| off.max(*apart));
         errors.push(Series::new(format!("after {wait} s of rest"), apart).of_family(k, k));
         swings = swings.and(swing.end);
-        let turn = turned(&mut turntable(wait).start()?);
+        let turn = turned(&mut turntable(wait).begin()?);
         momentum = momentum.max(turn.largest(1));
         turns = turns.and(turn.end);
     }

@@ -1,10 +1,11 @@
 //! Linkages with dead points: poses where one bar cannot drive the others, or where the motion ends.
 
-use plm_runtime::{BodyState, Fault, Mechanism as _, Method, Moment as _, Sim};
+use plm_run::AnySim;
+use plm_runtime::{BodyState, Fault, Moment as _};
 
 use super::run::{Trace, trace};
 use super::theory;
-use crate::text::{Given as _, Large, LargeState, Named as _, Scene, large, scene};
+use crate::text::{By as _, Given as _, Large, LargeState, Named as _, Scene, large, scene};
 
 pub fn triple_rocker() -> Scene {
     scene(include_str!("../declared/triple_rocker.plm"))
@@ -45,7 +46,7 @@ pub fn energy(state: &LargeState) -> f64 {
 
 /// Energy (relative change), angles of crank and rocker (rad), and the sine between coupler and rocker, which changes sign
 /// at a dead point of the crank.
-pub fn rocking<I: Method<Scene>>(sim: &mut Sim<Scene, I>, until: f64) -> Trace<4> {
+pub fn rocking(sim: &mut AnySim<Scene>, until: f64) -> Trace<4> {
     let energy = sim.kinetic_energy();
     trace(sim, until, 0.005, |s| {
         let (crank, coupler, rocker) =
@@ -55,7 +56,7 @@ pub fn rocking<I: Method<Scene>>(sim: &mut Sim<Scene, I>, until: f64) -> Trace<4
 }
 
 /// Largest difference of the coupler's and the rocker's angle from the closed form over so many turns of the crank, rad.
-pub fn cranking<I: Method<Scene>>(sim: &mut Sim<Scene, I>, turns: u32) -> Trace<1> {
+pub fn cranking(sim: &mut AnySim<Scene>, turns: u32) -> Trace<1> {
     let turn = std::f64::consts::TAU;
     trace(sim, f64::from(turns) * turn, turn / 360.0, |s| {
         let [coupler, rocker] = theory::four_bar([0.5, 1.2, 0.8, 1.0], s.time());
@@ -70,7 +71,7 @@ pub fn assembling() -> Result<Vec<(f64, f64)>, Fault> {
     for degree in 0..=360 {
         let angle = f64::from(degree).to_radians();
         mechanism = mechanism.with("from", angle);
-        let state = mechanism.start()?;
+        let state = mechanism.begin()?;
         let [coupler, rocker] = theory::four_bar([0.5, 1.2, 0.8, 1.0], angle);
         let (found_coupler, found_rocker) = (state.body_of("coupler"), state.body_of("rocker"));
         let off = (found_coupler.angle - coupler).abs().max((found_rocker.angle - rocker).abs());
@@ -87,12 +88,12 @@ pub fn assembling() -> Result<Vec<(f64, f64)>, Fault> {
 }
 
 /// Energy (J), and the angle of the crank (rad).
-pub fn falling<I: Method<Large>>(sim: &mut Sim<Large, I>) -> Trace<2> {
+pub fn falling(sim: &mut AnySim<Large>) -> Trace<2> {
     trace(sim, 1.0, 1e-3, |s| [energy(s), s.body_of("crank").angle])
 }
 
 /// Energy (relative change), and the largest difference of a place (m) from that which the angle of the crank gives.
-pub fn swinging<I: Method<Large>>(sim: &mut Sim<Large, I>, until: f64, every: f64) -> Trace<2> {
+pub fn swinging(sim: &mut AnySim<Large>, until: f64, every: f64) -> Trace<2> {
     let begun = energy(sim);
     trace(sim, until, every, |s| {
         let poses = bars(s).into_iter().zip(theory::quadrorhomb(s.body_of("crank").angle));

@@ -1,9 +1,10 @@
 //! A dyad that comes to its own limit, while the loop before it could go on.
 
-use plm_runtime::{Dop853, Fault, Mechanism as _, Method, Moment as _, Sim};
+use plm_run::AnySim;
+use plm_runtime::{Dop853, Fault, Moment as _};
 
 use super::run::{Trace, trace};
-use crate::text::{Named as _, Scene, absolute, scene};
+use crate::text::{By as _, Named as _, Scene, absolute, scene};
 
 const STEPHENSON: &str = include_str!("../declared/stephenson.plm");
 
@@ -13,7 +14,7 @@ pub fn stephenson() -> Scene {
 
 /// Energy (relative change), angles of crank and arm (rad), and the sine between link and arm, which changes sign
 /// where they stretch.
-pub fn leading<I: Method<Scene>>(sim: &mut Sim<Scene, I>, until: f64) -> Trace<4> {
+pub fn leading(sim: &mut AnySim<Scene>, until: f64) -> Trace<4> {
     let energy = sim.kinetic_energy() + sim.gravity_energy();
     trace(sim, until, 2e-4, |s| {
         let (link, arm) = (s.body_of("link").angle, s.body_of("arm").angle);
@@ -28,8 +29,8 @@ pub fn leading<I: Method<Scene>>(sim: &mut Sim<Scene, I>, until: f64) -> Trace<4
 
 /// Largest difference of an angle from absolute coordinates, rad, both at a tolerance of 1e-11.
 pub fn apart(until: f64) -> Result<f64, Fault> {
-    let mut sim = stephenson().start_with(Dop853::new(1e-11))?;
-    let mut other = scene(&absolute(STEPHENSON)).start_with(Dop853::new(1e-11))?;
+    let mut sim = stephenson().by(Dop853::new(1e-11))?;
+    let mut other = scene(&absolute(STEPHENSON)).by(Dop853::new(1e-11))?;
     let mut largest = 0.0_f64;
     while sim.time() < until {
         sim.step(0.01)?;

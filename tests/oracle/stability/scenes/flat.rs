@@ -5,11 +5,12 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write as _;
 
 use plm_oracle::Look;
-use plm_runtime::{Described, Mechanism, Method, Moment, Sim};
+use plm_run::AnySim;
+use plm_runtime::{Described, Moment};
 
 use super::run::{Trace, gap, trace};
 use super::theory::{self, wrapped};
-use crate::text::{Given as _, Large, Named as _, Scene, large, scene};
+use crate::text::{By, Given as _, Large, Named as _, Scene, large, scene};
 
 /// S4 (the N-four-bar mechanism of the IFToMM benchmarks, problem A02): N windows of uprights and tops of 1 m and 1 kg, with more items.
 ///
@@ -128,11 +129,7 @@ impl<M: Described<S = f64, State = T> + Look, T: Moment<M = M>> Ladder for T {
 }
 
 /// Energy (relative change), gap (m), askewness (rad) and angle from upright (rad) of a ladder over so many turns.
-pub fn turning<M: Mechanism<S = f64, State: Ladder>, I: Method<M>>(
-    sim: &mut Sim<M, I>,
-    turns: u32,
-    samples: u32,
-) -> Trace<4> {
+pub fn turning<M: By<S = f64, State: Ladder>>(sim: &mut AnySim<M>, turns: u32, samples: u32) -> Trace<4> {
     let turn = theory::ladder_period(sim.state().windows() as u32, sim.state().speed());
     let energy = sim.state().energy();
     trace(sim, f64::from(turns) * turn, turn / f64::from(samples), |s| {
@@ -153,7 +150,7 @@ pub fn equal_bars() -> Scene {
 }
 
 /// Energy (relative change), angle between the bars and angle from that of a turn at constant speed, rad.
-pub fn turning_parallelogram<I: Method<Scene>>(sim: &mut Sim<Scene, I>, turns: u32) -> Trace<3> {
+pub fn turning_parallelogram(sim: &mut AnySim<Scene>, turns: u32) -> Trace<3> {
     let energy = sim.kinetic_energy();
     trace(sim, f64::from(turns) * TAU, TAU / 100.0, |s| {
         let askew =
@@ -163,7 +160,7 @@ pub fn turning_parallelogram<I: Method<Scene>>(sim: &mut Sim<Scene, I>, turns: u
 }
 
 /// Energy (J), angle of the rod from the mirror image of the crank (rad), gap at the pin (m).
-pub fn folding<I: Method<Scene>>(sim: &mut Sim<Scene, I>, until: f64) -> Trace<3> {
+pub fn folding(sim: &mut AnySim<Scene>, until: f64) -> Trace<3> {
     trace(sim, until, 0.01, |s| {
         let (crank, rod) = (s.body_of("crank"), s.body_of("rod"));
         let open = gap(crank.point(0.5, 0.0), rod.point(-0.5, 0.0));

@@ -2,11 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use plm_runtime::{Fault, Mechanism as _, Method, Moment as _, Sim};
+use plm_run::AnySim;
+use plm_runtime::{Fault, Moment as _};
 
 use super::run::{Trace, trace};
 use super::theory;
-use crate::text::{Given as _, Named as _, Scene, State, absolute, scene};
+use crate::text::{By as _, Given as _, Named as _, Scene, State, absolute, scene};
 
 const NEARLY_PARALLEL: &str = include_str!("../declared/nearly_parallel.plm");
 
@@ -44,7 +45,7 @@ pub fn energy(state: &State) -> f64 {
 }
 
 /// Energy (relative change) and angle of the right bar, rad.
-pub fn swinging<I: Method<Scene>>(sim: &mut Sim<Scene, I>, until: f64) -> Trace<2> {
+pub fn swinging(sim: &mut AnySim<Scene>, until: f64) -> Trace<2> {
     let begun = energy(sim);
     trace(sim, until, 0.01, |state| [energy(state) / begun - 1.0, cranks(state)[1][0]])
 }
@@ -69,7 +70,7 @@ fn pass(
     driver: &str,
     time: impl Fn([f64; 2], f64) -> f64,
 ) -> Result<Passed, Fault> {
-    let mut sim = linkage.start()?;
+    let mut sim = linkage.begin()?;
     let (begun, start) = (energy(&sim), turn(&sim, driver));
     let mut largest = 0.0_f64;
     let end = sim.run(until, 0.01, |state| largest = largest.max((energy(state) / begun - 1.0).abs()));

@@ -1,6 +1,8 @@
 //! Running a scene and keeping what a probe reads.
 
-use plm_runtime::{Fault, Mechanism, Method, Moment, Sim};
+use crate::text::By;
+use plm_run::AnySim;
+use plm_runtime::{Fault, Moment};
 
 /// What a probe read over a run, and how the run ended.
 #[derive(Debug)]
@@ -34,8 +36,8 @@ impl<const N: usize> Trace<N> {
 }
 
 /// Runs until the time `until` and reads the probe every `every`, in s.
-pub fn trace<M: Mechanism<S = f64>, I: Method<M>, const N: usize>(
-    sim: &mut Sim<M, I>,
+pub fn trace<M: By<S = f64>, const N: usize>(
+    sim: &mut AnySim<M>,
     until: f64,
     every: f64,
     probe: impl Fn(&M::State) -> [f64; N],
@@ -46,8 +48,8 @@ pub fn trace<M: Mechanism<S = f64>, I: Method<M>, const N: usize>(
 }
 
 /// Runs until the time `until`, whatever comes.
-pub fn at_end<M: Mechanism<S = f64>, I: Method<M>, R>(
-    sim: &mut Sim<M, I>,
+pub fn at_end<M: By<S = f64>, R>(
+    sim: &mut AnySim<M>,
     until: f64,
     read: impl Fn(&M::State) -> R,
 ) -> Result<R, Fault> {

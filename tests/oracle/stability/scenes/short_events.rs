@@ -2,9 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use plm_runtime::{Fault, Mechanism as _, Method, Stats};
+use plm_run::AnyMethod;
+use plm_runtime::{Fault, Stats};
 
-use crate::text::{Given as _, Named as _, Scene, scene};
+use crate::text::{By as _, Given as _, Named as _, Scene, scene};
 
 /// Length of the runs, s; the rotor comes down once in it.
 pub const RUN: f64 = 10.0;
@@ -27,10 +28,14 @@ fn window(part: f64) -> (f64, f64) {
 /// Angle and speed after the run less the known ones, rad and rad/s, in intervals of `interval`, s; and what was done.
 ///
 /// The torque takes a quarter of 0.05 J over the window, which is passed with the mean of the speeds at its ends.
-pub fn braked<I: Method<Scene>>(part: f64, interval: f64, method: I) -> Result<([f64; 2], Stats), Fault> {
+pub fn braked(
+    part: f64,
+    interval: f64,
+    method: impl Into<AnyMethod<Scene>>,
+) -> Result<([f64; 2], Stats), Fault> {
     let (half, height) = window(part);
     let declared = brush().with("height", height).with("torque", 0.0125 / (2.0 * half));
-    let mut sim = declared.start_with(method)?;
+    let mut sim = declared.by(method)?;
     for _ in 0..(RUN / interval).round() as u32 {
         sim.step(interval)?;
     }
@@ -44,7 +49,7 @@ pub fn braked<I: Method<Scene>>(part: f64, interval: f64, method: I) -> Result<(
 /// When a run ends whose tip must stay above the same height, less the known time, s.
 pub fn cleared(part: f64, interval: f64) -> Result<Option<f64>, Fault> {
     let (half, height) = window(part);
-    let mut sim = clearance().with("height", height).start()?;
+    let mut sim = clearance().with("height", height).begin()?;
     let ended = (0..(RUN / interval).round() as u32).find_map(|_| sim.step(interval).err());
     Ok(ended.map(|fault| fault.time - (3.0 * FRAC_PI_2 - half)))
 }

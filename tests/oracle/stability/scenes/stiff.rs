@@ -1,9 +1,10 @@
 //! Stiffness: of springs, and of Baumgarte's stabilisation.
 
+use plm_run::AnyMethod;
 use plm_runtime::method::{Formula as _, Rk4Formula};
-use plm_runtime::{Fault, Mechanism as _, Method, Moment as _, Rate as _, Rk4};
+use plm_runtime::{Fault, Moment as _, Rate as _, Rk4};
 
-use crate::text::{Given as _, Named as _, Scene, State, scene};
+use crate::text::{By as _, Given as _, Named as _, Scene, State, scene};
 
 fn end_stop() -> Scene {
     scene(include_str!("../declared/end_stop.plm"))
@@ -22,8 +23,8 @@ fn stabilised_pendulum(tau: f64) -> Scene {
 }
 
 /// Speed after the bounce over the speed before it; the known value is -1.
-pub fn bounce<I: Method<Scene>>(method: I) -> Result<f64, Fault> {
-    let mut sim = end_stop().start_with(method)?;
+pub fn bounce(method: impl Into<AnyMethod<Scene>>) -> Result<f64, Fault> {
+    let mut sim = end_stop().by(method)?;
     sim.step(0.2)?;
     Ok(sim.body_of("ram").vx)
 }
@@ -32,7 +33,7 @@ pub fn bounce<I: Method<Scene>>(method: I) -> Result<f64, Fault> {
 /// end a run whose steps err by the amplitude.
 pub fn growth_of_oscillation(h: f64) -> f64 {
     let run = || {
-        let mut state = *oscillator().start()?.state();
+        let mut state = *oscillator().begin()?.state();
         let energy_of = |state: &State| state.kinetic_energy() + 0.5 * 1e8 * state.body_of("ram").x.powi(2);
         let energy = energy_of(&state);
         let (held, mut x, mut time) = (state.held(), *state.x(), state.time());
@@ -56,7 +57,7 @@ pub fn stabilised(h: f64, h_alpha: f64, angle: f64, steps: u32) -> f64 {
         let pendulum = stabilised_pendulum(h / h_alpha).with_start("bob.angle", angle);
         let pendulum =
             pendulum.with_start("bob.x", 0.9 * angle.sin()).with_start("bob.y", -0.9 * angle.cos());
-        let mut sim = pendulum.start_with(Rk4::new(h))?;
+        let mut sim = pendulum.by(Rk4::new(h))?;
         sim.step(f64::from(steps) * h)?;
         let [x, y] = sim.body_of("bob").point(0.0, 0.9);
         Ok::<f64, Fault>(x.hypot(y))

@@ -2,11 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use plm_runtime::{Dopri5, Fault, Mechanism as _, Method, Moment as _, Sim};
+use plm_run::AnySim;
+use plm_runtime::{Dopri5, Fault, Moment as _};
 
 use super::run::{Trace, trace};
 use super::theory::{self, G};
-use crate::text::{Given as _, Named as _, Scene, scene};
+use crate::text::{By as _, Given as _, Named as _, Scene, scene};
 
 pub fn pendulum() -> Scene {
     scene(include_str!("../declared/pendulum.plm"))
@@ -32,7 +33,7 @@ fn light_bars(mass: f64) -> Scene {
 }
 
 /// Angle of A01 less that of the elliptic function (rad), and change of its energy (J).
-pub fn phase<I: Method<Scene>>(sim: &mut Sim<Scene, I>, until: f64, every: f64) -> Trace<2> {
+pub fn phase(sim: &mut AnySim<Scene>, until: f64, every: f64) -> Trace<2> {
     trace(sim, until, every, |s| {
         let known = theory::pendulum_angle(G.sqrt(), -FRAC_PI_2, s.time());
         [s.body_of("bob").angle - known, s.kinetic_energy() + s.gravity_energy()]
@@ -46,7 +47,7 @@ pub fn floquet(a: f64, w: f64) -> Result<f64, Fault> {
     let after = |angle: f64, omega: f64| {
         let kapitza = kapitza().with("a", a).with("w", w);
         let kapitza = kapitza.with_start("bob.angle", angle).with_start("bob.omega", omega);
-        let mut sim = kapitza.start_with(Dopri5::new(1e-12))?;
+        let mut sim = kapitza.by(Dopri5::new(1e-12))?;
         sim.step(2.0 * PI / w)?;
         let bob = sim.body_of("bob");
         Ok((bob.angle, bob.omega))
@@ -75,7 +76,7 @@ pub fn frequency_error(mode: usize, inertia: f64) -> Result<f64, Fault> {
     let shape = [4, 3, 2, 1, 0].map(|order| theory::laguerre(order, z));
     let most = (0..5).max_by(|i, j| shape[*i].abs().total_cmp(&shape[*j].abs())).unwrap_or(4);
     let scale = 1e-5 / shape[most];
-    let mut sim = displaced(inertia, &shape.map(|u| scale * u)).start_with(Dopri5::new(1e-12))?;
+    let mut sim = displaced(inertia, &shape.map(|u| scale * u)).by(Dopri5::new(1e-12))?;
     let phase = 2.5 * PI;
     sim.step(phase / (z * G).sqrt())?;
     Ok(-(sim.body_of(&format!("bob[{most}]")).x / 1e-5).asin() / phase)
@@ -83,7 +84,7 @@ pub fn frequency_error(mode: usize, inertia: f64) -> Result<f64, Fault> {
 
 /// Speed of the load on light bars in the lowest position over sqrt(2 g l), less 1.
 pub fn speed_below(mass: f64) -> Result<f64, Fault> {
-    let mut sim = light_bars(mass).start()?;
+    let mut sim = light_bars(mass).begin()?;
     sim.step(0.25 * theory::pendulum_period(G.sqrt(), FRAC_PI_2))?;
     let load = sim.body_of("load");
     Ok(load.vx.hypot(load.vy) / (2.0 * G).sqrt() - 1.0)

@@ -1,9 +1,10 @@
 //! Mechanisms that rest for a while and are then moved smoothly: what a machine does all day.
 
-use plm_runtime::{Dop853, Fault, Mechanism as _, Method, Moment as _, Sim};
+use plm_run::AnySim;
+use plm_runtime::{Dop853, Fault, Moment as _};
 
 use super::run::{Trace, trace};
-use crate::text::{Given as _, Named as _, Scene, State, absolute, scene};
+use crate::text::{By as _, Given as _, Named as _, Scene, State, absolute, scene};
 
 /// A four-bar that is pushed.
 const PUSHED: &str = include_str!("../declared/pushed.plm");
@@ -15,7 +16,7 @@ pub fn turntable(wait: f64) -> Scene {
 
 /// The pushed four-bar over 8 s from the moment on at which the torque begins: the angles of its bars, rad.
 pub fn pushed(wait: f64, push: f64) -> Result<Trace<3>, Fault> {
-    let mut sim = scene(PUSHED).with("wait", wait).with("push", push).start()?;
+    let mut sim = scene(PUSHED).with("wait", wait).with("push", push).begin()?;
     sim.step(wait)?;
     Ok(trace(&mut sim, wait + 8.0, 0.02, angles))
 }
@@ -23,7 +24,7 @@ pub fn pushed(wait: f64, push: f64) -> Result<Trace<3>, Fault> {
 /// The same without a wait and in absolute coordinates, at a tolerance of 1e-12.
 pub fn pushed_at_once(push: f64) -> Result<Trace<3>, Fault> {
     let four_bar = scene(&absolute(PUSHED)).with("wait", 0.0).with("push", push);
-    let mut sim = four_bar.start_with(Dop853::new(1e-12))?;
+    let mut sim = four_bar.by(Dop853::new(1e-12))?;
     Ok(trace(&mut sim, 8.0, 0.02, angles))
 }
 
@@ -45,7 +46,7 @@ pub fn momentum(state: &State) -> f64 {
 }
 
 /// Angle of the table, rad, and what the angular momentum is off by from the integral of the torque, kg m^2/s.
-pub fn turned<I: Method<Scene>>(sim: &mut Sim<Scene, I>) -> Trace<2> {
+pub fn turned(sim: &mut AnySim<Scene>) -> Trace<2> {
     let wait = sim.mechanism().parameter_of("wait");
     trace(sim, wait + 10.0, 0.01, |s| {
         let pushed = (s.time() - wait).max(0.0);

@@ -1,14 +1,14 @@
 //! Dead points, branches over a whole turn, and a motion that ends.
 
-use plm_runtime::{Mechanism as _, Rk4};
+use plm_runtime::Rk4;
 
 use crate::scenes::dead::{assembling, crank_rocker, cranking, energy, quadrorhomb, rocking, triple_rocker};
 use crate::scenes::theory::{QUADRORHOMB_FALL, dead_angle, quadrorhomb_limit};
-use crate::text::{Named as _, deep};
+use crate::text::{By as _, Named as _, deep};
 
 #[test]
 fn a_triple_rocker_passes_the_dead_points_of_its_crank() {
-    let trace = rocking(&mut triple_rocker().start().unwrap(), 60.0);
+    let trace = rocking(&mut triple_rocker().begin().unwrap(), 60.0);
     assert!(trace.survived() && trace.largest(0) < 1e-5, "{:?} {:e}", trace.end, trace.largest(0));
     let signs = trace.rows.windows(2).filter(|pair| pair[0].1[3] * pair[1].1[3] < 0.0).count();
     assert!(signs >= 10, "{signs} dead points");
@@ -22,9 +22,9 @@ fn a_triple_rocker_passes_the_dead_points_of_its_crank() {
 
 #[test]
 fn a_crank_rocker_keeps_its_branch_over_all_angles_of_the_crank() {
-    let trace = cranking(&mut crank_rocker().start().unwrap(), 3);
+    let trace = cranking(&mut crank_rocker().begin().unwrap(), 3);
     assert!(trace.survived() && trace.largest(0) < 1e-7, "{:?} {:e}", trace.end, trace.largest(0));
-    let trace = cranking(&mut crank_rocker().start_with(Rk4::new(0.01)).unwrap(), 3);
+    let trace = cranking(&mut crank_rocker().by(Rk4::new(0.01)).unwrap(), 3);
     assert!(trace.survived() && trace.largest(0) < 1e-7, "{:?} {:e}", trace.end, trace.largest(0));
 }
 
@@ -40,7 +40,7 @@ fn assembly_finds_the_same_branch_at_all_angles_of_the_crank() {
 #[test]
 fn quadrorhombs_fall_turns_where_its_cell_folds() {
     deep(|| {
-        let mut sim = quadrorhomb(0.0).start().unwrap();
+        let mut sim = quadrorhomb(0.0).begin().unwrap();
         sim.step(QUADRORHOMB_FALL - 5e-4).unwrap();
         let left = quadrorhomb_limit() - sim.body_of("crank").angle.abs();
         assert!((0.0..0.1_f64.to_radians()).contains(&left), "{} deg", left.to_degrees());

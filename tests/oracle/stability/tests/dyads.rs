@@ -1,16 +1,16 @@
 //! A dyad at its own limit.
 
 use plm_runtime::method::RadauIia5;
-use plm_runtime::{Dopri5, Mechanism as _, Rk4};
+use plm_runtime::{Dopri5, Rk4};
 
 use crate::scenes::dyads::{apart, leading, stephenson};
 use crate::scenes::theory::stephenson_limits;
-use crate::text::Named as _;
+use crate::text::{By as _, Named as _};
 
 #[test]
 fn a_six_bar_turns_back_where_its_second_dyad_stretches() {
     let [low, high] = stephenson_limits();
-    let mut sim = stephenson().start().unwrap();
+    let mut sim = stephenson().begin().unwrap();
     let trace = leading(&mut sim, 1.0);
     assert!(trace.survived() && trace.largest(0) < 5e-8, "{:?} {:e}", trace.end, trace.largest(0));
     let (least, most) = trace
@@ -35,11 +35,11 @@ fn absolute_coordinates_know_no_such_limit_and_agree() {
 /// What was a million steps, or a mechanism that locks up, is as long a run as any.
 #[test]
 fn other_methods_pass_the_limit_too() {
-    let mut exact = stephenson().start().unwrap();
+    let mut exact = stephenson().begin().unwrap();
     exact.step(0.4).unwrap();
     macro_rules! passes {
         ($method:expr, $tolerance:expr) => {{
-            let mut sim = stephenson().start_with($method).unwrap();
+            let mut sim = stephenson().by($method).unwrap();
             sim.step(0.4).unwrap();
             let off = (sim.body_of("arm").angle - exact.body_of("arm").angle).abs();
             assert!(off < $tolerance, "{}: {off:e}, {:?}", stringify!($method), sim.stats());

@@ -1,10 +1,10 @@
 //! Extreme speeds, mass ratios and precision.
 
-use plm_runtime::{Dop853, Mechanism as _, Rk4};
+use plm_runtime::{Dop853, Rk4};
 
 use crate::scenes::standard::{four_bar, four_bar_in_f32};
 use crate::scenes::{loops, trees};
-use crate::text::Named as _;
+use crate::text::{By as _, Named as _};
 
 #[test]
 fn a_crank_at_1e4_rad_per_s_turns_as_a_slow_one_does() {
@@ -36,12 +36,12 @@ fn single_precision_ends_where_its_digits_do() {
     // Angle of the crank of S2 after 1 s: references in quadruple precision.
     let known = -4.561_584_698_981_446_17;
     let double = |h: f64| {
-        let mut sim = four_bar().start_with(Rk4::new(h)).unwrap();
+        let mut sim = four_bar().by(Rk4::new(h)).unwrap();
         sim.step(1.0).unwrap();
         (sim.body_of("crank").angle - known).abs()
     };
     let single = |h: f32| {
-        let mut sim = four_bar_in_f32().start_with(Rk4::new(h)).unwrap();
+        let mut sim = four_bar_in_f32().by(Rk4::new(h)).unwrap();
         sim.step(1.0).unwrap();
         (f64::from(sim.body(0).unwrap().angle) - known).abs()
     };

@@ -2,14 +2,14 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use plm_runtime::{Dop853, Mechanism as _, Rk4};
+use plm_runtime::{Dop853, Rk4};
 
 use crate::scenes::dead::{quadrorhomb_on_a_spring, swinging};
 use crate::scenes::run::trace;
 use crate::scenes::standard::{double_pendulum, four_bar};
 use crate::scenes::theory::{G, S1_AT_10, pendulum_period};
 use crate::scenes::trees::{pendulum, phase};
-use crate::text::{Named as _, deep};
+use crate::text::{By as _, Named as _, deep};
 
 /// 64 eps L, the gap that rounding may leave in joints of a mechanism of the size L.
 fn rounding(length: f64) -> f64 {
@@ -20,7 +20,7 @@ fn rounding(length: f64) -> f64 {
 fn quadrorhomb_swings_without_drift() {
     // 2e4 of the 1e6 steps that the program makes.
     let trace = deep(|| {
-        let mut sim = quadrorhomb_on_a_spring().start_with(Rk4::new(1e-3)).unwrap();
+        let mut sim = quadrorhomb_on_a_spring().by(Rk4::new(1e-3)).unwrap();
         swinging(&mut sim, 20.0, 0.1)
     });
     assert!(trace.survived(), "{:?}", trace.end);
@@ -34,7 +34,7 @@ fn quadrorhomb_swings_without_drift() {
 
 #[test]
 fn the_four_bar_swings_without_drift() {
-    let mut sim = four_bar().start_with(Rk4::new(1e-3)).unwrap();
+    let mut sim = four_bar().by(Rk4::new(1e-3)).unwrap();
     let energy = sim.kinetic_energy() + sim.gravity_energy();
     let trace = trace(&mut sim, 50.0, 0.1, |s| {
         let [x, y] = s.body_of("coupler").point(0.45, 0.0);
@@ -53,7 +53,7 @@ fn the_four_bar_swings_without_drift() {
 #[test]
 fn a01_keeps_its_phase() {
     assert!((pendulum_period(G.sqrt(), FRAC_PI_2) - 2.367_841_947_576_237_45).abs() < 1e-15 * 4.0);
-    let mut sim = pendulum().start_with(Dop853::new(1e-12)).unwrap();
+    let mut sim = pendulum().by(Dop853::new(1e-12)).unwrap();
     let trace = phase(&mut sim, 100.0, 1.0);
     assert!(trace.survived(), "{:?}", trace.end);
     // A phase that is wrong by an error of the frequency of 1e-12 grows by 4e-12 rad/s.
@@ -63,7 +63,7 @@ fn a01_keeps_its_phase() {
 
 #[test]
 fn s1_over_ten_seconds_is_worth_seven_digits() {
-    let mut sim = double_pendulum().start_with(Dop853::new(1e-13)).unwrap();
+    let mut sim = double_pendulum().by(Dop853::new(1e-13)).unwrap();
     sim.step(10.0).unwrap();
     let [arm, forearm] = S1_AT_10;
     let off = (sim.body_of("arm").angle - arm).abs().max((sim.body_of("forearm").angle - forearm).abs());

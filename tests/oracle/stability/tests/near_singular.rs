@@ -2,13 +2,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use plm_runtime::{Mechanism as _, Moment as _};
+use plm_runtime::Moment as _;
 
 use crate::scenes::near_singular::{
     Passed, cranks, energy, folding, from, nearly_parallel, parallel, swinging,
 };
 use crate::scenes::theory::{G, bisect, pendulum_angle};
-use crate::text::{Given as _, Scene};
+use crate::text::{By as _, Given as _, Scene};
 
 /// The default tolerance is 1e-9 a step; over the steps of a turn that may add up to some 1e-8.
 fn assert_passed(name: &str, by: f64, passed: &Passed) {
@@ -42,7 +42,7 @@ fn the_last_digits_of_lengths_decide() {
 
 /// The right crank after a run of `until`, s, in which the energy is kept.
 fn keeps_energy(name: &str, linkage: &Scene, until: f64) -> [f64; 2] {
-    let mut sim = linkage.start().unwrap();
+    let mut sim = linkage.begin().unwrap();
     let trace = swinging(&mut sim, until);
     assert!(trace.survived() && trace.largest(0) < 2e-8, "{name}: {:?}, {:e}", trace.end, trace.largest(0));
     assert!(sim.stats().near_singular > 0 && sim.stats().change_points == 0, "{name}: {:?}", sim.stats());
@@ -81,7 +81,7 @@ fn pendulum(angle: f64, speed: f64) -> impl Fn(f64) -> f64 {
 
 /// From an angle next to flat: what is locked starts as it is locked, and the cranks stay parallel beyond flat.
 fn assert_swings(name: &str, linkage: &Scene, angle: f64, speed: f64) {
-    let mut sim = from(linkage, angle, speed).start().unwrap();
+    let mut sim = from(linkage, angle, speed).begin().unwrap();
     let [left, right] = cranks(&sim);
     assert_eq!(left, [angle, speed], "{name}");
     assert!((right[1] - speed).abs() < 4e-10, "{name}: {:e} rad/s", right[1]);
@@ -108,7 +108,7 @@ fn starts_next_to_flat_are_what_was_declared() {
 fn samples_within_a_step_over_a_flat_pose_lie_on_the_way() {
     let [linkage, _] = nearly_parallel();
     let linkage = linkage.with("span", 1.0).with("left_length", 0.6).with("right_length", 0.6);
-    let mut sim = from(&linkage, 1.0, 7.0).start().unwrap();
+    let mut sim = from(&linkage, 1.0, 7.0).begin().unwrap();
     let begun = energy(&sim);
     let mut off = [0.0_f64; 2];
     sim.run(20.0, 1e-3, |state| {

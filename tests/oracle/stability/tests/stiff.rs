@@ -2,11 +2,11 @@
 
 use plm_runtime::linalg::Lu;
 use plm_runtime::method::RadauIia5;
-use plm_runtime::{Dopri5, Mechanism as _, Rk4};
+use plm_runtime::{Dopri5, Rk4};
 
 use crate::scenes::indices::{A, Index, STAGES, found_orders, orders};
 use crate::scenes::stiff::{bounce, growth_of_oscillation, limit, oscillator, stabilised};
-use crate::text::Named as _;
+use crate::text::{By as _, Named as _};
 
 #[test]
 fn an_end_stop_gives_the_speed_back() {
@@ -44,7 +44,7 @@ fn steps_of_radau_iia_are_those_of_the_tableau() {
     for wh in [0.1, 0.7, 2.0, 9.0] {
         // The tolerance lets every step pass; the first ones grow to the longest.
         let method = RadauIia5::new(1e12).with_longest_step(wh / w);
-        let mut sim = oscillator().start_with(method).unwrap();
+        let mut sim = oscillator().by(method).unwrap();
         sim.step(10.0 * wh / w).unwrap();
         let (before, ram) = (sim.stats().steps, sim.body_of("ram"));
         // Y_i = y + w h sum a_ij (V_j, -X_j); the last stage is the end.

@@ -2,9 +2,10 @@
 
 use plm_runtime::described::by_number;
 use plm_runtime::method::RadauIia5;
-use plm_runtime::{Mechanism as _, Moment as _, Rk4};
+use plm_runtime::{Moment as _, Rk4};
 
 use crate::scenes::waiting::{apart, momentum, pushed, pushed_at_once, turned, turntable};
+use crate::text::By as _;
 
 #[test]
 fn a_four_bar_moves_alike_however_long_it_has_rested() {
@@ -28,8 +29,8 @@ fn a_four_bar_on_a_turntable_turns_with_it_however_long_it_has_rested() {
     for wait in [0.5, 50.0] {
         let table = turntable(wait);
         let traces = [
-            (turned(&mut table.start().unwrap()), 1e-8),
-            (turned(&mut table.start_with(RadauIia5::new(1e-6)).unwrap()), 2e-5),
+            (turned(&mut table.begin().unwrap()), 1e-8),
+            (turned(&mut table.by(RadauIia5::new(1e-6)).unwrap()), 2e-5),
         ];
         for (trace, tolerance) in traces {
             assert!(trace.survived(), "{wait} s: {:?}", trace.end);
@@ -37,7 +38,7 @@ fn a_four_bar_on_a_turntable_turns_with_it_however_long_it_has_rested() {
         }
     }
     // Forces that are polynomials of the time: what is left is rounding.
-    let trace = turned(&mut turntable(0.5).start_with(Rk4::new(1e-3)).unwrap());
+    let trace = turned(&mut turntable(0.5).by(Rk4::new(1e-3)).unwrap());
     assert!(trace.survived() && trace.largest(1) < 1e-13, "{:?} {:e}", trace.end, trace.largest(1));
 }
 
@@ -45,7 +46,7 @@ fn a_four_bar_on_a_turntable_turns_with_it_however_long_it_has_rested() {
 #[test]
 fn an_input_moves_what_has_rested() {
     for wait in [1e-3, 5.0, 50.0] {
-        let mut sim = turntable(1e9).start().unwrap();
+        let mut sim = turntable(1e9).begin().unwrap();
         sim.step(wait).unwrap();
         assert!(by_number::set_input(&mut sim, 0, 0.5));
         let start = sim.time();

@@ -1,26 +1,26 @@
 //! What the program `work_precision` takes for near, and how it ends.
 #![allow(clippy::unwrap_used, unreachable_pub, reason = "tests")]
 
-#[path = "../src/work_precision/beside.rs"]
+#[path = "../speed/src/work_precision/beside.rs"]
 mod beside;
-#[path = "../src/contact_peers/chart.rs"]
+#[path = "../speed/src/contact_peers/chart.rs"]
 mod chart;
-#[path = "../src/work_precision/measure.rs"]
+#[path = "../speed/src/work_precision/measure.rs"]
 #[allow(dead_code, reason = "the program measures more")]
 mod measure;
-#[path = "../src/work_precision/report.rs"]
+#[path = "../speed/src/work_precision/report.rs"]
 #[allow(dead_code, reason = "the program draws as well")]
 mod report;
-#[path = "../src/contact_peers/runs.rs"]
+#[path = "../speed/src/contact_peers/runs.rs"]
 mod runs;
-#[path = "../src/contact_peers/steps.rs"]
+#[path = "../speed/src/contact_peers/steps.rs"]
 mod steps;
-#[path = "../src/work_precision/stored.rs"]
+#[path = "../speed/src/work_precision/stored.rs"]
 mod stored;
-#[path = "../src/work_precision/summary.rs"]
+#[path = "../speed/src/work_precision/summary.rs"]
 #[allow(dead_code, reason = "the program draws as well")]
 mod summary;
-#[path = "../src/contact_peers/tables.rs"]
+#[path = "../speed/src/contact_peers/tables.rs"]
 mod tables;
 
 use measure::{Bench, Effort, Line, Look, Outcome, Point, Scene};
@@ -110,7 +110,7 @@ type Row = (String, Vec<Option<f64>>);
 
 /// The errors of a table's columns, and its lines.
 fn table(mark: &str) -> (Vec<f64>, Vec<Row>) {
-    let tables = include_str!("../../../../docs/src/images/work-precision/tables.txt");
+    let tables = include_str!("../../../docs/src/images/work-precision/tables.txt");
     let (_, table) = tables.split_once(&format!("<!-- ANCHOR: {mark} -->\n")).unwrap();
     let (table, _) = table.split_once("<!-- ANCHOR_END").unwrap();
     let cells = |row: &str| row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect();
@@ -138,7 +138,7 @@ fn in_the_book_the_cheapest_line_is_ours_to_every_error() {
 /// The summary is drawn of the runs that the tables are made of.
 #[test]
 fn the_summary_shows_the_stored_runs() {
-    let stored = stored::read(include_str!("../../../../docs/src/images/work-precision/runs.csv")).unwrap();
+    let stored = stored::read(include_str!("../../../docs/src/images/work-precision/runs.csv")).unwrap();
     let compared = summary::compare(&stored).unwrap();
     for scene in &compared {
         let (columns, lines) = table(&scene.scene.to_lowercase());
@@ -160,32 +160,32 @@ fn the_summary_shows_the_stored_runs() {
         }
     }
     let drawn =
-        summary::svg(&compared, include_str!("../../../../docs/src/images/work-precision/elsewhere.csv"))
+        summary::svg(&compared, include_str!("../../../docs/src/images/work-precision/elsewhere.csv"))
             .unwrap();
     assert!(
-        drawn == include_str!("../../../../docs/src/images/work-precision/summary.svg"),
+        drawn == include_str!("../../../docs/src/images/work-precision/summary.svg"),
         "the summary is not that of the runs; `--redraw docs/src/images/work-precision` of the program draws it"
     );
 }
 
 fn contact_runs() -> Vec<runs::Run> {
-    runs::read(include_str!("../../../../docs/src/images/contact-peers/runs.csv")).unwrap()
+    runs::read(include_str!("../../../docs/src/images/contact-peers/runs.csv")).unwrap()
 }
 
 #[test]
 fn the_picture_and_tables_of_contact_are_those_of_the_runs() {
     let runs = contact_runs();
-    let is_same = chart::svg(&runs) == include_str!("../../../../docs/src/images/contact-peers/chart.svg")
-        && tables::all(&runs) == include_str!("../../../../docs/src/images/contact-peers/tables.txt");
+    let is_same = chart::svg(&runs) == include_str!("../../../docs/src/images/contact-peers/chart.svg")
+        && tables::all(&runs) == include_str!("../../../docs/src/images/contact-peers/tables.txt");
     assert!(is_same, "the program contact_peers draws them: `-- docs/src/images/contact-peers`");
 }
 
 #[test]
 fn the_picture_of_steps_of_moreau_and_jean_is_that_of_the_runs() {
-    let found = runs::read(include_str!("../../../../docs/src/images/contact-steps/runs.csv")).unwrap();
+    let found = runs::read(include_str!("../../../docs/src/images/contact-steps/runs.csv")).unwrap();
     let is_same = steps::svg(&found, &contact_runs())
-        == include_str!("../../../../docs/src/images/contact-steps/chart.svg")
-        && steps::tables(&found) == include_str!("../../../../docs/src/images/contact-steps/tables.txt");
+        == include_str!("../../../docs/src/images/contact-steps/chart.svg")
+        && steps::tables(&found) == include_str!("../../../docs/src/images/contact-steps/tables.txt");
     assert!(is_same, "the program contact_peers draws it: `-- --steps docs/src/images/contact-steps`");
     // Impacts take place at their share of a step: of order 2 with the midpoint rule, and a parabola is exact.
     for (scene, most) in [("ball", 1e-9), ("rocking", 1.0), ("rope", 1.0), ("shaken", 1e-2)] {
@@ -251,7 +251,7 @@ fn the_page_on_contact_says_what_was_measured() {
     for scene in ["block", "oscillator"] {
         assert!(runs::line(&runs, scene, "plm", "DOP853").iter().all(|run| run.creep == Some(0.0)));
     }
-    let page = include_str!("../../../../docs/src/running/contact-peers.md");
+    let page = include_str!("../../../docs/src/running/contact-peers.md");
     let says = |figure: String| assert!(page.contains(&figure), "the page does not say `{figure}`");
     for scene in ["oscillator", "rocking", "slider-crank"] {
         says(format!("{:.0e}", finest(scene, "plm", "DOP853").error.unwrap()));

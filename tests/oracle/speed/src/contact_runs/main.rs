@@ -1,11 +1,11 @@
 //! Scenes with contact: error at a fixed time, CPU time, creep and energy of impacts, as rows of docs/src/images/contact-peers/runs.csv.
 //!
 //! ```sh
-//! cargo run --release -p plm-runtime --example contact_runs > target/plm/contact-plm.csv
-//! cargo run --release -p plm-runtime --example contact_runs -- steps > target/plm/contact-steps.csv  # of MoreauJean
+//! cargo run --release -p plm-speed --bin contact_runs > target/plm/contact-plm.csv
+//! cargo run --release -p plm-speed --bin contact_runs -- steps > target/plm/contact-steps.csv  # of MoreauJean
 //! ```
 //!
-//! The systems are written by hand, as those of `tests/contact` are. `benches/data/contact.csv` has the reference values.
+//! The systems are written by hand, as those of `plm-runtime/tests/contact` are. `benches/data/contact.csv` has the reference values.
 #![allow(
     clippy::unwrap_used,
     clippy::print_stdout,
@@ -15,13 +15,13 @@
 )]
 
 mod clock;
-#[path = "../../tests/contact/oscillator.rs"]
+#[path = "../../../../../plm-runtime/tests/contact/oscillator.rs"]
 mod oscillator;
 mod scenes;
-#[path = "../../tests/contact/slider_crank.rs"]
+#[path = "../../../../../plm-runtime/tests/contact/slider_crank.rs"]
 mod slider_crank;
 mod steps;
-#[path = "../../tests/contact/support.rs"]
+#[path = "../../../../../plm-runtime/tests/contact/support.rs"]
 mod support;
 
 use plm_runtime::{Dop853, Mechanism};
@@ -34,7 +34,7 @@ const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
 /// A reference value.
 fn reference(scene: &str, name: &str) -> f64 {
-    let table = include_str!("../../../benches/data/contact.csv");
+    let table = include_str!("../../../../../benches/data/contact.csv");
     let key = format!("{scene},{name},");
     table.lines().find_map(|row| row.strip_prefix(&key)).unwrap().parse().unwrap()
 }
