@@ -129,6 +129,47 @@ macro_rules! linkages {
 
 linkages!(loops, loops);
 linkages!(absolute, absolute);
+
+/// Peaucellier's inversor, whose crank is driven: both arms fold over the rhombus at once.
+macro_rules! inversor {
+    ($name:ident, $formulation:ident) => {
+        scene! {
+            pub $name {
+                formulation: $formulation;
+                gravity: 9.81 m/s^2;
+                let steel = 7850 kg/m^3;
+                let p1 = (0, 0) mm;
+                let p2 = (160, 90) mm;
+                let p3 = (160, -90) mm;
+                let p4 = (120, 0) mm;
+                let p5 = (200, 0) mm;
+                let p6 = (60, 0) mm;
+                body bar1 { width: 20 mm; thickness: 5 mm; density: steel; port a: p1; port b: p2; }
+                body bar2 { width: 20 mm; thickness: 5 mm; density: steel; port a: p1; port b: p3; }
+                body bar3 { width: 20 mm; thickness: 5 mm; density: steel; port a: p2; port b: p4; }
+                body bar4 { width: 20 mm; thickness: 5 mm; density: steel; port a: p4; port b: p3; }
+                body bar5 { width: 20 mm; thickness: 5 mm; density: steel; port a: p3; port b: p5; }
+                body bar6 { width: 20 mm; thickness: 5 mm; density: steel; port a: p5; port b: p2; }
+                body bar7 { width: 20 mm; thickness: 5 mm; density: steel; port a: p6; port b: p4; }
+                ground { port g1: p1; port g2: p6; }
+                revolute pin1(bar1.a, bar2.a);
+                revolute pin2(bar1.b, bar3.a);
+                revolute pin3(bar3.b, bar4.a);
+                revolute pin4(bar2.b, bar4.b);
+                revolute pin5(bar2.b, bar5.a);
+                revolute pin6(bar5.b, bar6.a);
+                revolute pin7(bar1.b, bar6.b);
+                revolute pin8(bar3.b, bar7.b);
+                revolute pin9(ground.g1, bar1.a);
+                revolute pin10(ground.g2, bar7.a);
+                constraint motor: bar7.angle = 60 rev/min*t;
+            }
+        }
+    };
+}
+inversor!(Inversor, loops);
+inversor!(InversorAbsolute, absolute);
+
 // In single precision there are compiled mechanisms alone.
 four_bar!(mechanism, InSingle, loops);
 
@@ -179,6 +220,56 @@ fn two_motors_stop_where_their_arms_are_apart() {
         let known = if row == "m1" { m1 + turned } else { m2 - turned };
         assert!((value - known).abs() < 1e-7, "{name}: {fault}, known {known}");
     }
+}
+
+/// An arm less a side of the rhombus is a chord of the crank's circle: `2 r cos(angle/2)`.
+#[test]
+fn dyads_that_become_flat_at_once_are_one_lock_up() {
+    let fold = 0.16_f64.hypot(0.09) - 0.04_f64.hypot(0.09);
+    let angle = 2.0 * (fold / 0.12).acos();
+    let known = ("motor", angle / core::f64::consts::TAU, angle);
+    macro_rules! by {
+        ($($name:literal $method:expr),*) => {
+            $(
+                assert_locks($name, || Inversor::new().start_with($method).unwrap(), known);
+                assert_locks($name, || InversorAbsolute::new().start_with($method).unwrap(), known);
+            )*
+        };
+    }
+    by!("Dop853" Dop853::default(), "Radau" RadauIia5::new(1e-8), "Rk4" Rk4::new(1e-3));
+}
+
+scene! {
+    /// Two dyads that are flat at once but for the rounding of their lengths, and a third one that is flat a nanometre later.
+    pub NextToFlat {
+        ground { port o: (0, 0) m; port a: (-0.18, -0.189) m; port b: (0.4, 0.3) m; port c: (0.32, 0) m; }
+        body crank { mass: 1 kg; inertia: 0.01 kg*m^2; port a: (0, 0) m; port b: (0.06, 0) m; start angle: 0.5 rad, locked; start omega: 1 rad/s, locked; }
+        body l0 { mass: 1 kg; inertia: 0.01 kg*m^2; port a: (0, 0) m; port b: (0.15178126035776152, 0) m; start x: 0.052654953713422364 m; start y: 0.02876553231625218 m; start angle: -0.3 rad; }
+        body r0 { mass: 1 kg; inertia: 0.01 kg*m^2; port a: (0, 0) m; port b: (0.4553437800732845, 0) m; start x: -0.18 m; start y: -0.189 m; start angle: 0.4 rad; }
+        body l1 { mass: 1 kg; inertia: 0.01 kg*m^2; port a: (0, 0) m; port b: (0.3009649411679327, 0) m; start x: 0.052654953713422364 m; start y: 0.02876553231625218 m; start angle: 0.5 rad; }
+        body r1 { mass: 1 kg; inertia: 0.01 kg*m^2; port a: (0, 0) m; port b: (0.17076694154042577, 0) m; start x: 0.4 m; start y: 0.3 m; start angle: -2.3 rad; }
+        body l2 { mass: 1 kg; inertia: 0.01 kg*m^2; port a: (0, 0) m; port b: (0.1656828112730702, 0) m; start x: 0.052654953713422364 m; start y: 0.02876553231625218 m; start angle: -0.3 rad; }
+        body r2 { mass: 1 kg; inertia: 0.01 kg*m^2; port a: (0, 0) m; port b: (0.1656828112730702, 0) m; start x: 0.32 m; start y: 0 m; start angle: 3.4 rad; }
+        revolute jo(ground.o, crank.a);
+        revolute jl0(crank.b, l0.a);
+        revolute jr0(ground.a, r0.a);
+        revolute p0(l0.b, r0.b);
+        revolute jl1(crank.b, l1.a);
+        revolute jr1(ground.b, r1.a);
+        revolute p1(l1.b, r1.b);
+        revolute jl2(crank.b, l2.a);
+        revolute jr2(ground.c, r2.a);
+        revolute p2(l2.b, r2.b);
+    }
+}
+
+#[test]
+fn steps_that_lead_nowhere_end_a_run() {
+    let mut sim = NextToFlat::new().start().unwrap();
+    let end = sim.step_to(4.0);
+    println!("{end:?}, {:?}", sim.stats());
+    assert!(sim.stats().near_singular < 2000, "{:?}", sim.stats());
+    assert!(matches!(end.map_err(|fault| fault.cause), Ok(()) | Err(Cause::Undecided { .. })));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The picture of the architecture is what the manifests give; packages have what they need.
+//! The picture of the architecture is what the manifests give; packages have what they need; counts are those of what is counted.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use std::path::Path;
@@ -7,6 +7,8 @@ use std::path::Path;
 mod architecture;
 #[path = "files/contract.rs"]
 mod contract;
+#[path = "files/counts.rs"]
+mod counts;
 #[path = "files/packages.rs"]
 mod packages;
 #[path = "../src/workspace.rs"]

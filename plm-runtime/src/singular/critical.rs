@@ -37,6 +37,11 @@ impl<S: Real, const NQ: usize, const NC: usize> Critical<S, NQ, NC> {
     pub(super) fn is_reached(&self) -> bool {
         self.gap <= self.rounding
     }
+
+    /// True if joints are open by at most so much there, m, beside the rounding of the lengths.
+    pub(super) fn is_closed(&self, by: S) -> bool {
+        self.gap <= self.rounding + by
+    }
 }
 
 /// The constraints with all residuals in m: angles at the size of the mechanism, which positions are measured by.
@@ -194,7 +199,12 @@ impl<'m, M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, con
 
     /// The rows at a pose, combined.
     #[inline(never)]
-    fn combined(&self, t: M::S, q: &[M::S; NQ], combined: &mut Combined<M::S, NQ, NC>) -> Option<()> {
+    pub(super) fn combined(
+        &self,
+        t: M::S,
+        q: &[M::S; NQ],
+        combined: &mut Combined<M::S, NQ, NC>,
+    ) -> Option<()> {
         phi_q_matrix(self.system, t, q, &mut combined.rows);
         for (r, row) in combined.rows.iter_mut().enumerate() {
             let unit = if self.kept[r] { self.row(r) } else { M::S::ZERO };

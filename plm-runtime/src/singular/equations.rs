@@ -86,6 +86,13 @@ pub(super) struct Evaluated<S, const NX: usize> {
     pub(super) dx: [S; NX],
 }
 
+impl<S: Real, const NX: usize> Evaluated<DoubleDouble<S>, NX> {
+    pub(super) fn rounded(&self) -> Evaluated<S, NX> {
+        let rounded = |x: &[DoubleDouble<S>; NX]| Vector::from_fn(|i| x[i].rounded());
+        Evaluated { x: rounded(&self.x), dx: rounded(&self.dx) }
+    }
+}
+
 impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const NX: usize>
     Equations<M, NQ, NC, NX>
 {
@@ -101,16 +108,25 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
 
     /// A state, led back, and its rate; none where the loops cannot be closed.
     pub(super) fn evaluate(&self, t: M::S, held: &M::U, x: &[M::S; NX]) -> Option<Evaluated<M::S, NX>> {
+        self.exact(t, held, &Vector::from_fn(|i| DoubleDouble::of(x[i]))).map(|exact| exact.rounded())
+    }
+
+    /// A state in numbers of twice the precision, led back, and its rate.
+    pub(super) fn exact(
+        &self,
+        t: M::S,
+        held: &M::U,
+        x: &[DoubleDouble<M::S>; NX],
+    ) -> Option<Evaluated<DoubleDouble<M::S>, NX>> {
         let (extended, inputs) = self.system.extended_with_inputs(held);
-        let (t, mut x) = (DoubleDouble::of(t), Vector::from_fn(|i| DoubleDouble::of(x[i])));
+        let (t, mut x) = (DoubleDouble::of(t), *x);
         if !nearest::<_, _, NQ, NC, NX>(&self.opened(&extended), t, &mut x) {
             return None;
         }
         let mut dx = x;
         M::accelerate(&extended, t, &inputs, &x, &mut dx);
-        let rounded = |x: [DoubleDouble<M::S>; NX]| Vector::from_fn(|i| x[i].rounded());
-        let evaluated = Evaluated { x: rounded(x), dx: rounded(dx) };
-        evaluated.dx.is_finite().then_some(evaluated)
+        let exact = Evaluated { x, dx };
+        exact.rounded().dx.is_finite().then_some(exact)
     }
 
     /// Is a state where it was before it was led back? Otherwise the constraints are elsewhere: lengths that repeat each

@@ -5,12 +5,16 @@
 //! Bifurcations of Dynamical Equilibria, SIAM 2000, 4.1).
 
 use super::ExtendedPrecision;
+use super::combined::Combined;
 use super::critical::{Critical, Rows};
 use crate::double_double::DoubleDouble;
 use crate::fault::{Cause, Fault};
-use crate::linalg::dot;
+use crate::linalg::{add, dot};
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{FOUND, HALVED, LOCK_STEPS, TIME_FOUND};
+use crate::tolerances::{FOUND, HALVED, LOCK_STEPS, TIME_FOUND, TOGETHER};
+
+/// Joints that move with a prescribed motion are open by so many times what it is in the resolution of a time, and closed.
+const CLOSES: f64 = 10.0;
 
 /// How the singular pose next to a prescribed motion changes with the time.
 pub(super) enum Ends<S, const NQ: usize, const NC: usize> {
@@ -50,7 +54,8 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
             let step = at.newton();
             if is_found(step, (first.time, at.time)) {
                 // What has been or is now is left behind.
-                return (at.time > first.time).then_some(Ends::At(at.time, at.critical));
+                let ends = at.time > first.time && at.closes(first);
+                return ends.then_some(Ends::At(at.time, at.critical));
             }
             if step.abs() > HALVED.of::<M::S>() * last.abs() {
                 return self.extremum(first, at);
@@ -97,7 +102,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
             let inside = at.time + newton > low && at.time + newton < high;
             let step = if inside { newton } else { half };
             if is_found(step, (first.time, at.time)) {
-                return Some(Ends::At(at.time, at.critical));
+                return at.closes(first).then_some(Ends::At(at.time, at.critical));
             }
             at = self.after(&at, step)?;
         }
@@ -128,18 +133,38 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
     /// The fault of a motion that ends at a singular pose.
     #[cold]
     #[inline(never)]
-    pub(super) fn locked(&self, (t, part): (M::S, &'static str), critical: &Critical<M::S, NQ, NC>) -> Fault {
-        let q = critical.q.map(DoubleDouble::rounded);
-        let (driven, mut row, mut most) = (self.driven(t, &q), 0, M::S::ZERO);
+    pub(super) fn locked(&self, at: (M::S, &'static str), critical: &Critical<M::S, NQ, NC>) -> Fault {
+        self.locked_by(at, &critical.q.map(DoubleDouble::rounded), &critical.combination)
+    }
+
+    /// The fault of a motion that ends at a pose at which several combinations of rows may vanish: those of prescribed motions count by
+    /// their shares in all of them.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn locked_at(&self, at: (M::S, &'static str), q: &[M::S; NQ]) -> Fault {
+        let rate = self.driven(at.0, q);
+        let (mut combined, mut taken) = (Combined::nothing(), rate);
+        if self.combined(at.0, q, &mut combined).is_some() {
+            combined.part(TOGETHER.of::<M::S>());
+            taken = [M::S::ZERO; NC];
+            for (lambda, _) in combined.vanishing() {
+                add(&mut taken, dot(lambda, &rate), lambda);
+            }
+        }
+        self.locked_by(at, q, &taken)
+    }
+
+    fn locked_by(&self, (t, part): (M::S, &'static str), q: &[M::S; NQ], combination: &[M::S; NC]) -> Fault {
+        let (driven, mut row, mut most) = (self.driven(t, q), 0, M::S::ZERO);
         for (r, rate) in driven.iter().enumerate() {
-            let share = (critical.combination[r] * *rate).abs();
+            let share = (combination[r] * *rate).abs();
             if share > most {
                 (row, most) = (r, share);
             }
         }
         let cause = Cause::LockedAt {
             row: self.system.layout().rows.get(row).copied().unwrap_or_default(),
-            value: self.held_value(t, &q, row).to_f64(),
+            value: self.held_value(t, q, row).to_f64(),
             angular: self.system.layout().is_angular(row),
         };
         Fault::of_part(t.to_f64(), part, cause)
@@ -150,10 +175,21 @@ impl<S: Real, const NQ: usize, const NC: usize> Value<S, NQ, NC> {
     fn newton(&self) -> S {
         -self.open / self.rate
     }
+
+    /// Are all joints closed there, to the resolution of the time? Else other loops become flat at other times next to it, and the
+    /// motion has ended before.
+    fn closes(&self, first: &Self) -> bool {
+        let by = self.rate.abs() * resolution((first.time, self.time));
+        self.critical.is_closed(S::lit(CLOSES) * by)
+    }
 }
 
 /// Is a step in the time nothing beside rounding and beside the way so far?
-fn is_found<S: Real>(step: S, (first, at): (S, S)) -> bool {
-    step.abs()
-        <= FOUND.of::<S>() * S::EPSILON * (at.abs() + first.abs()) + TIME_FOUND.of::<S>() * (at - first).abs()
+fn is_found<S: Real>(step: S, times: (S, S)) -> bool {
+    step.abs() <= resolution(times)
+}
+
+/// The resolution of a time that is looked for from a first one on.
+pub(super) fn resolution<S: Real>((first, at): (S, S)) -> S {
+    FOUND.of::<S>() * S::EPSILON * (at.abs() + first.abs()) + TIME_FOUND.of::<S>() * (at - first).abs()
 }

@@ -2,7 +2,7 @@
 
 use super::critical::{Critical, Rows};
 use super::distance::SingularityDistance;
-use super::lock::Ends;
+use super::lock::{Ends, resolution};
 use super::{ExtendedPrecision, size};
 use crate::absolute::split;
 use crate::double_double::DoubleDouble;
@@ -73,7 +73,7 @@ impl Meeting {
             return Ok(Self::Unknown);
         };
         let critical = match if driven { rows.ends(time, critical) } else { Ends::Never(critical) } {
-            Ends::At(end, critical) if end <= context.end => {
+            Ends::At(end, critical) if end - resolution((time, end)) <= context.end => {
                 return Err(rows.locked((end, system.flat_part(time, full)), &critical));
             }
             Ends::Touches(critical) => Some(critical),

@@ -25,6 +25,7 @@ mod crossing;
 mod distance;
 mod equations;
 mod here;
+mod limit;
 mod lock;
 mod meeting;
 mod near_singular;

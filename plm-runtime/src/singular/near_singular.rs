@@ -17,8 +17,8 @@ use crate::method::{
 use crate::scalar::{Real, Scalar};
 use crate::system::{Drift, Step};
 use crate::tolerances::{
-    AT_POSE, AWAY, BARELY, BOX, FAST, LONG, MOST_PARTS, NEARER, SHARP, SPANS, TOLERANCE, TRIALS, is_double,
-    short,
+    AT_POSE, AWAY, BARELY, BOX, CREEPS, FAST, LONG, MOST_CREEPING, MOST_PARTS, NEARER, SHARP, SPANS,
+    TOLERANCE, TRIALS, is_double, short,
 };
 use crate::vector::Vector;
 
@@ -41,6 +41,10 @@ pub struct NearSingular<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const
     undecided: u32,
     /// By how much joints would have opened in the last step over the pose ahead that was tried.
     opens: M::S,
+    /// Steps one after the other that lead next to nowhere.
+    creeping: u32,
+    /// The time until the end of a prescribed motion, by the growth of its speed, when this end was looked for last, s.
+    left: M::S,
     /// Gaps of the joints in the last step, with which the mechanism reaches the singular pose.
     open: [DoubleDouble<M::S>; NC],
 }
@@ -82,6 +86,8 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
             Some(evaluated) if equations.is_beside(&full, &evaluated) => full = evaluated.x,
             _ => return Err(self.fault(context, here, Refused::NotFound)),
         }
+        let creeps = M::S::lit(CREEPS) * (time - context.time) < end - context.time;
+        self.creeping = if creeps { self.creeping + 1 } else { 0 };
         (self.over, self.followed) = (None, Some(time - context.time));
         Self::arrive(context, time, &full);
         Ok(())
@@ -109,7 +115,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
                     }
                     self.passed = passed.map(|_| context.system.flat_part(from, &here.full));
                     self.over = Some((from, polynomial));
-                    self.undecided = 0;
+                    (self.undecided, self.creeping) = (0, 0);
                     self.around.restart();
                     context.stats.steps += 1;
                     *context.longest_step = context.longest_step.max(time - from);
@@ -196,10 +202,15 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
             }
             return self.leave(context, &here);
         };
-        if !here.follow() {
+        // Rounding of the pose makes steps so short, not the turn.
+        if !here.follow() || self.creeping > MOST_CREEPING {
             return Err(self.fault(context, &here, Refused::NotFound));
         }
         let meeting = here.meeting;
+        if !meeting.is_reached() {
+            let within = M::S::lit(0.5) * self.left;
+            self.left = here.left_until_lock(context, within)?.unwrap_or(self.left);
+        }
         let (longest, rest) = (singularity.longest_step(), context.end - context.time);
         match singularity.distance_ahead().filter(|_| rest > longest && !matches!(meeting, Meeting::Missed)) {
             None => self.tried = M::S::INFINITY,
@@ -312,6 +323,8 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
             tried: M::S::INFINITY,
             undecided: 0,
             opens: M::S::ZERO,
+            creeping: 0,
+            left: M::S::INFINITY,
             open: [DoubleDouble::ZERO; NC],
         }
     }

@@ -9,6 +9,23 @@ pub(crate) const CRITICAL_STEPS: usize = 16;
 pub(crate) const COLLOCATION_STEPS: usize = 40;
 /// Newton steps in time towards the moment at which a prescribed motion ends: by halves, all digits of a number.
 pub(crate) const LOCK_STEPS: usize = 40;
+/// Steps one after the other near a singular pose of which more than a thousand millions would be needed to the end of the interval. A turn
+/// whose lengths miss the pose by a unit in the last place takes two hundred steps, which become shorter and longer by a quarter.
+pub(crate) const MOST_CREEPING: u32 = 300;
+/// Steps that no run makes.
+pub(crate) const CREEPS: f64 = 1e9;
+/// Steps to the end of a prescribed motion by its speed: each leaves a tenth of the time, so that ten reach its part of 1e-9; three times
+/// as many at less.
+pub(crate) const LIMIT_STEPS: usize = 30;
+/// Parts of the time that is left until the speed of a prescribed motion has no bound, in the order of trial: after the first its speed is
+/// three times as large; the shorter ones serve where the law of its end does not hold yet.
+pub(crate) const LIMIT_PARTS: [f64; 3] = [0.9, 0.6, 0.3];
+/// A part of the distance and of the time to that end. Nearer to it the law gains digits with each step; a motion that passes a pose by is
+/// off by all of them.
+pub(crate) const ON_THE_WAY: f64 = 0.5;
+/// A part of the time to that end: a law that has held down to it holds to the end, if the time that is left is at most the inverse of it
+/// times what rounding leaves undecided.
+pub(crate) const HELD: f64 = 1e-4;
 /// Newton steps from a stage of a step onto the constraints: numbers of twice the precision have 32 digits; each step doubles the
 /// correct ones, and near a singular pose halves the distance at first.
 pub(crate) const CLOSING_STEPS: usize = 16;

@@ -15,6 +15,7 @@ mod geared;
 mod gradients;
 mod hostile;
 mod late;
+mod locks;
 mod pages;
 #[path = "../../support/random.rs"]
 mod random;

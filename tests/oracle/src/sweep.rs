@@ -8,7 +8,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::draw::Draw;
 use crate::{
-    bounded, bounds, declarations, driven, geared, gradients, hostile, late, pages, resets, sources, wheels,
+    bounded, bounds, declarations, driven, geared, gradients, hostile, late, locks, pages, resets, sources,
+    wheels,
 };
 
 /// All sweeps.
@@ -36,6 +37,12 @@ pub const SWEEPS: &[Sweep] = &[
         title: "contact and conditions in model exchange, by importers that are late",
         quick: 100,
         case: late::case,
+    },
+    Sweep {
+        name: "locks",
+        title: "linkages whose dyads become flat, several at once",
+        quick: 60,
+        case: locks::case,
     },
     Sweep { name: "hostile", title: "numbers that nobody means", quick: 600, case: hostile::case },
     Sweep { name: "bounds", title: "fits whose bounds hold", quick: 100, case: bounds::case },

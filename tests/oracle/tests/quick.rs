@@ -22,7 +22,7 @@ macro_rules! quick {
     };
 }
 
-quick! { bounded driven gradients late hostile bounds resets geared pages wheels declarations sources }
+quick! { bounded driven gradients late locks hostile bounds resets geared pages wheels declarations sources }
 
 #[test]
 fn each_sweep_is_tested() {
