@@ -68,9 +68,9 @@ try_plm() {
     empty plm
     cp "$archive" examples/playground/four_bar.plm "$root/try"
     inside sh -c 'cd /try && tar -xzf plm-*.tar.gz && ./plm check four_bar.plm && ./plm run four_bar.plm --until 1 --every 0.25 --csv run.csv &&
-        ./plm picture four_bar.plm --svg four_bar.svg && ./plm export four_bar.plm --c-source c --force >/dev/null'
+        ./plm picture four_bar.plm --svg four_bar.svg --png four_bar.png && ./plm export four_bar.plm --c-source c --force >/dev/null'
     rows=$(wc -l <"$root/try/run.csv")
-    [ "$rows" -ge 6 ] && grep -q '<svg' "$root/try/four_bar.svg"
+    [ "$rows" -ge 6 ] && grep -q '<svg' "$root/try/four_bar.svg" && head -c 4 "$root/try/four_bar.png" | grep -q PNG
     told plm "a run of $((rows - 1)) rows: $(tail -n 1 "$root/try/run.csv" | cut -d , -f 1-3)"
 }
 

@@ -99,17 +99,7 @@ const MORE: &[Step] = &[
     Step::Here(plain("docs-rs", "documentation as on docs.rs", lints::docs_rs)),
     Step::Here(plain("package-programs", "programs of packages", packages::programs)),
     Step::Here(plain("release", "release up to the upload", |place| {
-        for step in [
-            "check v0.1.0 --dry-run",
-            "binary x86_64-unknown-linux-musl",
-            "examples",
-            "try plm c",
-            "sums",
-            "crates --dry-run",
-        ] {
-            place.command("cargo xtask release").args(step.split(' ')).run()?;
-        }
-        Ok(())
+        place.command("cargo xtask release all v0.1.0 --dry-run").run()
     })),
     Step::Here(plain("playground", "playground", |place| {
         place.command("bash examples/playground/check.sh").run()?;

@@ -16,8 +16,13 @@ const ADDRESS: &str = "";
 
 /// The folder of the files of a release, below that of cargo.
 const FOLDER: &str = "release-files";
+/// The list of these files with sizes and checksums, which a release shows.
+const NOTES: &str = "release-files.md";
 /// The profile of `plm`: without symbols.
 const PROFILE: &str = "dist";
+/// Targets of `plm` that a Linux of x86-64 can link, and their linkers; the workflow has one on its own system for each.
+const TARGETS: [(&str, &str); 2] =
+    [("x86_64-unknown-linux-musl", "cc"), ("x86_64-pc-windows-gnu", "x86_64-w64-mingw32-gcc")];
 /// The declaration of the examples in a release.
 const EXAMPLE: &str = "examples/playground/four_bar.plm";
 /// The most that a file may have, by the beginning and the end of its name, bytes.
@@ -31,14 +36,16 @@ const MOST: [(&str, &str, u64); 4] = [
 const USAGE: &str = "\
 cargo xtask release check TAG        version, changelog and address are those of a release
 cargo xtask release binary TARGET    `plm` for a target of rustc, without symbols
+cargo xtask release wheel            the wheel, tried in three Pythons; options of maturin in place of manylinux2014
 cargo xtask release page             the playground as one file
 cargo xtask release book             the book
 cargo xtask release examples         C source with its header, FMUs, and a package that makes one with a binary, of the four-bar
 cargo xtask release npm              the package of `<plm-mechanism>`, tried in a browser
 cargo xtask release npm publish      that package, to the registry
-cargo xtask release try              the files on an empty Debian without Rust (root, debootstrap)
+cargo xtask release try              the files on an empty Debian without Rust (root, debootstrap), and by Wine
 cargo xtask release sums             sizes and checksums of all files, within their limits
 cargo xtask release crates           the crates, in their order, to the registry
+cargo xtask release all TAG          all of this that can be done on this machine; with --dry-run alone
 each with --dry-run";
 
 pub(crate) fn run(place: &Place, words: &[String]) -> Result {
@@ -49,14 +56,16 @@ pub(crate) fn run(place: &Place, words: &[String]) -> Result {
     match words.as_slice() {
         ["check", tag] => check(place, tag, is_dry),
         ["binary", target] => binary(place, target, &folder),
+        ["wheel", options @ ..] => place.command("bash tests/wheels.sh").arg(&folder).args(options).run(),
         ["page"] => page(place, &folder),
         ["book"] => book(place, &folder),
         ["examples"] => examples(place, &folder),
         ["npm"] => npm(place, &folder),
         ["npm", "publish"] => publish_npm(place, &folder, is_dry),
-        ["try", parts @ ..] => place.command("bash tests/empty.sh").arg(&folder).args(parts).run(),
+        ["try", parts @ ..] => tried(place, &folder, parts),
         ["sums"] => sums(place, &folder),
         ["crates"] => crates(place, is_dry),
+        ["all", tag] if is_dry => all(place, tag),
         _ => Err(format!("these are the steps of a release:\n{USAGE}")),
     }
 }
@@ -162,6 +171,38 @@ fn examples(place: &Place, folder: &Path) -> Result {
     Ok(())
 }
 
+/// What a user does with the files, on an empty Debian, and with those for Windows by Wine.
+fn tried(place: &Place, folder: &Path, parts: &[&str]) -> Result {
+    let on_debian: Vec<&&str> = parts.iter().filter(|part| **part != "windows").collect();
+    if parts.is_empty() || !on_debian.is_empty() {
+        place.command("bash tests/empty.sh").arg(folder).args(on_debian).run()?;
+    }
+    if parts.is_empty() || parts.contains(&"windows") {
+        place.command("bash tests/windows.sh").arg(folder).run()?;
+    }
+    Ok(())
+}
+
+/// All steps up to the uploads, as far as this machine has what they need. The folder of the files begins empty.
+fn all(place: &Place, tag: &str) -> Result {
+    let folder = place.target.join(FOLDER);
+    fs::remove_dir_all(&folder).map_err(|why| format!("{}: {why}", folder.display()))?;
+    let step = |words: &str| run(place, &words.split(' ').map(str::to_owned).collect::<Vec<_>>());
+    step(&format!("check {tag} --dry-run"))?;
+    for (target, linker) in TARGETS {
+        let is_here = place.command("rustup target add").arg(target).works()
+            && place.command(linker).arg("--version").works();
+        if is_here {
+            step(&format!("binary {target}"))?;
+        } else {
+            place.say(&format!("NOT CHECKED: {target} cannot be built on this machine"))?;
+        }
+    }
+    ["examples", "page", "wheel", "npm", "book", "try", "sums", "crates --dry-run", "npm publish --dry-run"]
+        .into_iter()
+        .try_for_each(step)
+}
+
 /// The package of `<plm-mechanism>`, tried as it is packed.
 fn npm(place: &Place, folder: &Path) -> Result {
     place.command("bash examples/playground/npm.sh --check").run()?;
@@ -191,6 +232,7 @@ fn sums(place: &Place, folder: &Path) -> Result {
         return Err(format!("{} has no files: other steps make them", folder.display()));
     }
     let (mut lines, mut wrong) = (Vec::new(), Vec::new());
+    let mut table = "| file | bytes | SHA-256 |\n|---|---|---|\n".to_owned();
     for file in &files {
         let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
         // That of macOS has another name.
@@ -200,6 +242,7 @@ fn sums(place: &Place, folder: &Path) -> Result {
         let size = size(file)?;
         place.say(&format!("{size:>10}  {name}"))?;
         lines.push(format!("{sum}  {name}\n"));
+        table.extend(["| `", &name, "` | ", &size.to_string(), " | `", sum, "` |\n"]);
         let limit = MOST.iter().find(|(start, end, _)| name.starts_with(start) && name.ends_with(end));
         wrong.extend(
             limit
@@ -207,8 +250,9 @@ fn sums(place: &Place, folder: &Path) -> Result {
                 .map(|(.., most)| format!("{name} has more than {most} bytes")),
         );
     }
-    let list = folder.join("SHA256SUMS");
-    fs::write(&list, lines.concat()).map_err(|why| format!("{}: {why}", list.display()))?;
+    for (list, text) in [(folder.join("SHA256SUMS"), lines.concat()), (place.target.join(NOTES), table)] {
+        fs::write(&list, text).map_err(|why| format!("{}: {why}", list.display()))?;
+    }
     if wrong.is_empty() { Ok(()) } else { Err(wrong.join("\n")) }
 }
 

@@ -158,64 +158,62 @@ impl Code {
     /// Evaluates step by step: `argument` gives what is read, results go to `outputs` and to `other`, and what is returned comes back.
     pub(crate) fn interpret<S: Scalar>(
         &self,
-        argument: impl Fn(Argument) -> S,
+        argument: &dyn Fn(Argument) -> S,
         outputs: &mut [&mut [S]],
-        mut other: impl FnMut(Place, S),
+        other: &mut dyn FnMut(Place, S),
     ) -> Option<S> {
-        with_room(self.registers, |registers| {
-            for (step, factor) in self.steps.iter().zip(&self.factors) {
-                evaluate((step, *factor), registers, |k| {
-                    self.arguments.get(k).map_or(S::ZERO, |place| argument(*place))
-                });
+        let mut room = Zeros::new();
+        let registers = room.of(self.registers);
+        for (step, factor) in self.steps.iter().zip(&self.factors) {
+            evaluate((step, *factor), registers, |k| {
+                self.arguments.get(k).map_or(S::ZERO, |place| argument(*place))
+            });
+        }
+        for (Element { list, index }, register) in &self.elements {
+            if let Some(to) = outputs.get_mut(*list).and_then(|output| output.get_mut(*index)) {
+                *to = registers[*register as usize];
             }
-            for (Element { list, index }, register) in &self.elements {
-                if let Some(to) = outputs.get_mut(*list).and_then(|output| output.get_mut(*index)) {
-                    *to = registers[*register as usize];
-                }
-            }
-            for (place, register) in &self.others {
-                other(*place, registers[*register as usize]);
-            }
-            self.returned.map(|register| registers[register as usize])
-        })
+        }
+        for (place, register) in &self.others {
+            other(*place, registers[*register as usize]);
+        }
+        self.returned.map(|register| registers[register as usize])
     }
 
-    /// Evaluates by machine code, which computes with `f64`: `list` gives what is read, `gathered` what stands in no list, and what is
-    /// returned comes back, or zero. Where a list is too short, nothing is evaluated.
-    #[inline]
-    pub(crate) fn compute<'a, S: Scalar + 'a>(
+    /// Evaluates by machine code: `list` gives what is read, `gathered` what stands in no list, and what is returned comes back, or zero;
+    /// nothing where a list is too short.
+    pub(crate) fn compute<'a>(
         &self,
         code: &dyn MachineCode,
-        first: [&'a [S]; FIRST.len()],
-        (list, gathered): (impl Fn(List) -> &'a [S], impl Fn(Argument) -> S),
+        first: [&'a [f64]; FIRST.len()],
+        list: &dyn Fn(List) -> &'a [f64],
+        gathered: &dyn Fn(Argument) -> f64,
         outputs: &mut [&mut [f64]],
-        mut other: impl FnMut(Place, S),
-    ) -> Option<S> {
+        other: &mut dyn FnMut(Place, f64),
+    ) -> Option<f64> {
         let Inputs { lists, gathered: beside, .. } = &self.inputs;
-        with_room(beside.len(), |own| {
-            for (to, argument) in own.iter_mut().zip(beside) {
-                *to = gathered(*argument);
+        let (mut room, mut room_of_others) = (Zeros::new(), Zeros::new());
+        let own = room.of(beside.len());
+        for (to, argument) in own.iter_mut().zip(beside) {
+            *to = gathered(*argument);
+        }
+        let mut all: [&[f64]; LISTS];
+        let inputs = if lists.len() <= FIRST.len() {
+            &first[..]
+        } else {
+            all = [&[]; LISTS];
+            all[..FIRST.len()].copy_from_slice(&first);
+            for (to, from) in all.iter_mut().zip(lists).skip(FIRST.len()) {
+                *to = if *from == List::Gathered { own } else { list(*from) };
             }
-            let first = first.map(|list| S::f64s(list).unwrap_or_default());
-            let mut all: [&[f64]; LISTS];
-            let inputs = if lists.len() <= FIRST.len() {
-                &first[..]
-            } else {
-                all = [&[]; LISTS];
-                all[..FIRST.len()].copy_from_slice(&first);
-                for (to, from) in all.iter_mut().zip(lists).skip(FIRST.len()) {
-                    *to = S::f64s(if *from == List::Gathered { own } else { list(*from) })?;
-                }
-                &all[..lists.len()]
-            };
-            with_room(self.others.len(), |others: &mut [f64]| {
-                let value = code.run(inputs, outputs, others)?;
-                for ((place, _), value) in self.others.iter().zip(others) {
-                    other(*place, S::lit(*value));
-                }
-                Some(S::lit(value))
-            })
-        })
+            &all[..lists.len()]
+        };
+        let others = room_of_others.of(self.others.len());
+        let value = code.run(inputs, outputs, others)?;
+        for ((place, _), value) in self.others.iter().zip(others) {
+            other(*place, *value);
+        }
+        Some(value)
     }
 
     /// Does it return a value?
@@ -323,18 +321,30 @@ impl Inputs {
     }
 }
 
-/// Gives `work` a list of so many zeros.
-#[inline]
-pub(crate) fn with_room<S: Scalar, R>(count: usize, work: impl FnOnce(&mut [S]) -> R) -> R {
-    const FEW: usize = 48;
-    const VERY_FEW: usize = 8;
-    if count == 0 {
-        work(&mut [])
-    } else if count <= VERY_FEW {
-        work(&mut [S::ZERO; VERY_FEW][..count])
-    } else if count <= FEW {
-        work(&mut [S::ZERO; FEW][..count])
-    } else {
-        work(&mut vec![S::ZERO; count])
+/// A list of zeros, of which few stand in this value. What works on them is not told how many there are, so that a program has it once.
+pub(crate) struct Zeros<S> {
+    very_few: [S; 8],
+    few: Option<[S; 48]>,
+    many: Vec<S>,
+}
+
+impl<S: Scalar> Zeros<S> {
+    #[inline]
+    pub(crate) fn new() -> Self {
+        Self { very_few: [S::ZERO; 8], few: None, many: Vec::new() }
+    }
+
+    /// A list of so many zeros, once.
+    #[inline]
+    pub(crate) fn of(&mut self, count: usize) -> &mut [S] {
+        if let Some(room) = self.very_few.get_mut(..count) {
+            return room;
+        }
+        let few = self.few.insert([S::ZERO; 48]);
+        if let Some(room) = few.get_mut(..count) {
+            return room;
+        }
+        self.many.resize(count, S::ZERO);
+        &mut self.many
     }
 }

@@ -35,6 +35,23 @@ pub struct Dynamic<
     pub(crate) starts: Starts<S, N>,
 }
 
+/// An array of other values: a loop, where `map` of arrays would be code for each of their lengths.
+fn converted<A: Copy, B: Copy, const N: usize>(from: &[A; N], zero: B, by: &impl Fn(A) -> B) -> [B; N] {
+    let mut to = [zero; N];
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = by(*from);
+    }
+    to
+}
+
+/// The most lists of results that a function has.
+const OUTPUTS: usize = 4;
+
+/// The number itself, where it is of the type that machine code computes with.
+fn plain<S: Scalar>(number: S) -> f64 {
+    S::f64s(&[number]).and_then(|own| own.first().copied()).unwrap_or_default()
+}
+
 /// Start values: x, y, angle, vx, vy, omega of each body, then first-order states.
 #[derive(Clone, Copy, Debug)]
 pub struct Starts<S, const N: usize> {
@@ -126,15 +143,15 @@ impl<
         &self,
         code: &'static Code,
         frame: &Frame<S, NQ, L, H, R>,
-        outputs: [&mut [S]; K],
+        mut outputs: [&mut [S]; K],
     ) -> S {
-        self.evaluate(code, frame, outputs, |_, _| {}).unwrap_or(S::ZERO)
+        self.evaluate(code, frame, &mut outputs, &mut |_, _| {}).unwrap_or(S::ZERO)
     }
 
     /// Evaluates a function of continuation data.
     pub(crate) fn remembered(&self, code: &'static Code, frame: &Frame<S, NQ, L, H, R>) -> (Memory<S, L>, S) {
         let mut memory = Memory::new(self.model.counts);
-        let returned = self.evaluate(code, frame, [], |place, value| {
+        let returned = self.evaluate(code, frame, &mut [], &mut |place, value| {
             if let Place::Remembered(k) = place
                 && let Some(to) = memory.number_mut(k)
             {
@@ -151,7 +168,7 @@ impl<
         frame: &Frame<S, NQ, L, H, R>,
         matrix: &mut [[S; N]; N],
     ) {
-        self.evaluate(code, frame, [], |place, value| {
+        self.evaluate(code, frame, &mut [], &mut |place, value| {
             if let Place::Entry(row, column) = place
                 && let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column))
             {
@@ -161,41 +178,55 @@ impl<
     }
 
     /// Evaluates a function, by machine code where it has some: its outputs go to arrays, other results to `other`.
-    pub(crate) fn evaluate<const K: usize>(
+    pub(crate) fn evaluate(
         &self,
         code: &'static Code,
         frame: &Frame<S, NQ, L, H, R>,
-        mut outputs: [&mut [S]; K],
-        mut other: impl FnMut(Place, S),
+        outputs: &mut [&mut [S]],
+        other: &mut dyn FnMut(Place, S),
     ) -> Option<S> {
-        if let Some(value) = self.compute(code, frame, &mut outputs, &mut other) {
+        if let Some(value) = self.compute(code, frame, outputs, other) {
             return code.returns().then_some(value);
         }
-        code.interpret(|argument| self.read(argument, frame), &mut outputs, other)
+        code.interpret(&|argument| self.read(argument, frame), outputs, other)
     }
 
     /// Evaluates a function by machine code, and gives what it returns, or zero; nothing where it has none.
     #[inline]
-    pub(crate) fn compute<const K: usize>(
+    pub(crate) fn compute(
         &self,
         code: &'static Code,
         frame: &Frame<S, NQ, L, H, R>,
-        outputs: &mut [&mut [S]; K],
-        other: impl FnMut(Place, S),
+        outputs: &mut [&mut [S]],
+        other: &mut dyn FnMut(Place, S),
     ) -> Option<S> {
         let machine_code = self.machine_code(code)?;
-        let mut own = outputs.each_mut().map(|list| S::f64s_mut(list).unwrap_or_default());
-        let inputs = (|list| self.list(list, frame), |argument| self.read(argument, frame));
-        code.compute(machine_code, self.first_lists(frame), inputs, &mut own, other)
+        let (mut own, count): ([&mut [f64]; OUTPUTS], _) = (Default::default(), outputs.len());
+        for (to, list) in own.iter_mut().zip(&mut *outputs) {
+            *to = S::f64s_mut(list)?;
+        }
+        let own = own.get_mut(..count)?;
+        let list = |list| S::f64s(self.list(list, frame)).unwrap_or_default();
+        let gathered = |argument| plain(self.read(argument, frame));
+        let value = code.compute(
+            machine_code,
+            self.first_lists(frame),
+            &list,
+            &gathered,
+            own,
+            &mut |place, value| other(place, S::lit(value)),
+        )?;
+        Some(S::lit(value))
     }
 
     /// The lists of [`FIRST`].
     #[inline]
-    fn first_lists<'a>(&'a self, frame: &'a Frame<'a, S, NQ, L, H, R>) -> [&'a [S]; FIRST.len()] {
-        let (inputs, switches): (&[S], &[S]) =
-            frame.held.map_or((&[], &[]), |held| (&held.input, &held.switches));
-        let step = frame.beside.map_or(&[][..], |beside| beside.step);
-        [std::slice::from_ref(&frame.t), &self.parameters, inputs, switches, frame.x, step]
+    fn first_lists<'a>(&'a self, frame: &'a Frame<'a, S, NQ, L, H, R>) -> [&'a [f64]; FIRST.len()] {
+        let of = |list: &'a [S]| S::f64s(list).unwrap_or_default();
+        let (inputs, switches) =
+            frame.held.map_or((&[][..], &[][..]), |held| (of(&held.input), of(&held.switches)));
+        let step = frame.beside.map_or(&[][..], |beside| of(beside.step));
+        [of(std::slice::from_ref(&frame.t)), of(&self.parameters), inputs, switches, of(frame.x), step]
     }
 
     /// Machine code of a function; no other scalar than f64 has some.
@@ -276,8 +307,13 @@ impl<
     pub fn map<T: Scalar>(&self, number: &impl Fn(S) -> T) -> Dynamic<T, NQ, NC, N, L, H, R, P> {
         Dynamic {
             model: self.model,
-            parameters: self.parameters.map(number),
-            starts: Starts { model: self.model, values: self.starts.values.map(|start| start.map(number)) },
+            parameters: converted(&self.parameters, T::ZERO, number),
+            starts: Starts {
+                model: self.model,
+                values: converted(&self.starts.values, Start::free(T::ZERO), &|start: Start<S>| {
+                    start.map(number)
+                }),
+            },
         }
     }
 
@@ -287,14 +323,18 @@ impl<
         number: &impl Fn(S) -> T,
     ) -> Held<T, NQ, L, H, R> {
         HeldOf {
-            input: held.input.map(number),
-            switches: held.switches.map(number),
-            turns: held.turns.map(|turns| T::to_turns(number(S::of_turns(turns)))),
+            input: converted(&held.input, T::ZERO, number),
+            switches: converted(&held.switches, T::ZERO, number),
+            turns: converted(&held.turns, T::to_turns(T::ZERO), &|turns| {
+                T::to_turns(number(S::of_turns(turns)))
+            }),
             of_loops: match &held.of_loops {
                 OfLoops::InChart { chart, continuation } => {
                     OfLoops::InChart { chart: *chart, continuation: continuation.map(number) }
                 }
-                OfLoops::Free { q, v } => OfLoops::Free { q: q.map(number), v: v.map(number) },
+                OfLoops::Free { q, v } => {
+                    OfLoops::Free { q: converted(q, T::ZERO, number), v: converted(v, T::ZERO, number) }
+                }
             },
             contact: contact::Held::packed(&held.contact, [&held.contact], &|[value]: [S; 1]| number(value)),
         }

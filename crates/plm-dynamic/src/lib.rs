@@ -3,6 +3,7 @@
 //! The compiler makes tables and straight-line functions of a declaration. This crate evaluates the functions step by step, and has the
 //! contracts of the runtime over them, so that assembly, events, charts and every method are those of compiled mechanisms, and so are
 //! the bits.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod alone;
 mod augmented;
@@ -15,6 +16,7 @@ mod declared;
 mod derivatives;
 mod description;
 mod evaluation;
+#[cfg(feature = "derivatives")]
 mod gradient;
 mod handle;
 mod kept;
@@ -37,6 +39,7 @@ pub use self::alone::Steps;
 pub use self::column::Column;
 pub use self::course::{Change, Course};
 pub use self::declared::Declared;
+#[cfg(feature = "derivatives")]
 pub use self::gradient::{By, Derivative};
 pub use self::handle::{Dynamic, Starts};
 pub use self::native::{Element, Function, Input, MachineCode, Tier, Translator};
@@ -45,6 +48,7 @@ pub use self::record::{Reason, Sample, Watch};
 pub use self::run::{Error, Mechanism, Run};
 pub use self::running::OnRun;
 pub use self::sizes::{Large, Small};
+pub use self::start::OnStart;
 pub use self::system::State;
 pub use self::text::{Compiled, Refused};
 pub use plm_run::Integrator;

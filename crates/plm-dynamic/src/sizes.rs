@@ -197,7 +197,7 @@ fn sim<
 }
 
 /// A start with the values that are given.
-fn started<
+pub(crate) fn started<
     const NQ: usize,
     const NC: usize,
     const N: usize,

@@ -1,9 +1,23 @@
 //! Properties of a mechanism from text before it runs, and the start of its runs.
 
 use plm_runtime::described::Tables;
+use plm_runtime::held::Discrete;
+use plm_runtime::{Described, Linear, Statics};
 
 use crate::run::{Error, Mechanism, place};
-use crate::sizes::Large;
+use crate::sizes::{Large, Models, Small, started};
+
+/// Work on the start of a mechanism from text, whatever room the mechanism takes: what is asked once, as modes are. It has two sizes,
+/// where [`OnRun`](crate::OnRun) has those that runs are fast in.
+pub trait OnStart {
+    /// Result of the work.
+    type Output;
+
+    /// Does it.
+    fn on<M>(self, state: &M::State) -> Self::Output
+    where
+        M: Described<S = f64, U: Discrete> + Statics + Linear<Lifted<1>: Described + Statics>;
+}
 
 impl Mechanism {
     /// Bodies, parts and quantities with their documentation, and the report of the compiler.
@@ -36,6 +50,20 @@ impl Mechanism {
         let own: Large = self.given.mechanism(self.models.smallest());
         let starts = own.declared_starts();
         starts.values.iter().take(self.starts().len()).map(|start| start.value).collect()
+    }
+
+    /// Assembles it, and does something with its start.
+    ///
+    /// # Errors
+    /// As [`start_with`](Self::start_with).
+    pub fn at_start<W: OnStart>(&self, work: W) -> Result<W::Output, Error> {
+        self.all_given()?;
+        Ok(match self.models {
+            Models::Tiny([_, model], _) | Models::Small(model, _) => {
+                work.on::<Small>(&started(model, &self.given)?)
+            }
+            Models::Large(model) => work.on::<Large>(&started(model, &self.given)?),
+        })
     }
 
     /// Gives a start value, SI; assembly keeps it where the declaration locks it.

@@ -79,6 +79,46 @@ fn pins_stand_to_scale() {
     assert_eq!(root.attribute("width"), Some("600"));
 }
 
+/// Twice as many pixels as the drawing has, by a reader that is not the writer's: pins, links and paper are where SVG has them.
+#[test]
+fn pixels_are_where_svg_has_shapes() {
+    let (svg, png) = (bars().to_svg(), bars().to_png());
+    let document = Document::parse(&svg).unwrap();
+    let root = document.root_element();
+    let [left, top, width, height] = root
+        .attribute("viewBox")
+        .unwrap()
+        .split(' ')
+        .map(|number| number.parse().unwrap())
+        .collect::<Vec<f64>>()[..]
+    else {
+        panic!("{svg}")
+    };
+    let mut bytes = vec![0; minipng::decode_png_header(&png).unwrap().required_bytes_rgba8bpc()];
+    let mut image = minipng::decode_png(&png, &mut bytes).unwrap();
+    image.convert_to_rgba8bpc().unwrap();
+    let columns = image.width() as usize;
+    assert_eq!([f64::from(image.width()), f64::from(image.height())], [2.0 * width, 2.0 * height]);
+    let at = |[x, y]: [f64; 2]| {
+        let [column, row] = [2.0 * (x - left), 2.0 * (y - top)].map(|place| place as usize);
+        let [red, green, blue, opaque] = image.pixels()[4 * (row * columns + column)..][..4] else {
+            panic!()
+        };
+        assert_eq!(opaque, 255);
+        [red, green, blue]
+    };
+    let [shoulder, elbow] = circles(&document, "white")[..] else { panic!("{svg}") };
+    let (white, ink, link) = ([255; 3], at([elbow[0] - 6.0, elbow[1]]), [0xcf, 0xe0, 0xf0]);
+    assert_eq!([at(shoulder), at(elbow), at([left + 1.0, top + 1.0])], [white; 3]);
+    assert!(ink.iter().all(|part| *part < 80), "{ink:?}");
+    // Beside the sign of the centre of gravity.
+    assert_eq!(at([shoulder[0], 0.7 * shoulder[1] + 0.3 * elbow[1]]), link);
+    // Letters of the title.
+    let mut title =
+        (0..100).flat_map(|x| (0..14).map(move |y| [14.5 + f64::from(x), top + 11.5 + f64::from(y)]));
+    assert!(title.any(|place| at(place).iter().all(|part| *part < 80)));
+}
+
 /// A counter-clockwise arc has the sweep flag 0 where y points downwards, and ends left of where it begins above a pin.
 #[test]
 fn positive_turns_are_counter_clockwise() {
@@ -106,8 +146,11 @@ fn what_cannot_be_placed_is_left_out() {
         ..Mechanism::default()
     };
     for poses in [vec![], vec![[f64::INFINITY, 0.0, 0.0]; 2], vec![[1e300, -1e300, 1.0], [0.0; 3]]] {
+        let poses_of_png = poses.clone();
         let svg = Sketch::new(lost.clone(), poses).with_gravity([0.0, f64::NAN]).to_svg();
         Document::parse(&svg).unwrap();
+        let png = Sketch::new(lost.clone(), poses_of_png).with_gravity([0.0, f64::NAN]).to_png();
+        minipng::decode_png_header(&png).unwrap();
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     }
 }

@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
-use plm_dynamic::{Error, OnRun};
+use plm_dynamic::{Error, OnStart};
 use plm_runtime::held::Discrete;
-use plm_runtime::{BodyState, Described, Fault, Linear, Method, Moment, Sim, StartValues, Statics};
+use plm_runtime::{BodyState, Described, Fault, Linear, Moment, StartValues, Statics};
 use plm_studies::analysis::{Linearisation, Shape, linearise};
 use plm_view::{Page, Recorder, Recording, Results};
 use serde_json::{Value, json};
@@ -39,11 +39,12 @@ const LARGEST: f64 = 0.2;
 fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     let (is_as_started, is_json) = (words.takes("--as-started"), words.takes("--json"));
     let view = words.value("--view").map(PathBuf::from);
-    let mut run = match Start::asked(words, streams)?.run() {
-        Ok(run) => run,
+    let start = Start::asked(words, streams)?;
+    let found = start.mechanism().and_then(|mechanism| Ok(mechanism.at_start(Find { is_as_started })?));
+    let found = match found {
+        Ok(found) => found,
         Err(failure) => return refused(failure, streams),
     };
-    let found = run.then(Find { is_as_started });
     let Found { system, recordings, name } = match found {
         Ok(found) => found,
         Err(Lacking::Fault(fault)) => return refused(Error::from(fault).into(), streams),
@@ -125,7 +126,7 @@ fn parts(system: &Linearisation, shape: &Shape) -> String {
     taken.collect::<Vec<_>>().join(", ")
 }
 
-/// Work on a run: its modes near an equilibrium.
+/// Work on a start: the modes near an equilibrium.
 struct Find {
     is_as_started: bool,
 }
@@ -149,15 +150,14 @@ impl From<Fault> for Lacking {
     }
 }
 
-impl OnRun for Find {
+impl OnStart for Find {
     type Output = Result<Found, Lacking>;
 
-    fn on<M, I>(self, sim: &mut Sim<M, I>) -> Self::Output
+    fn on<M>(self, start: &M::State) -> Self::Output
     where
         M: Described<S = f64, U: Discrete> + Statics + Linear<Lifted<1>: Described + Statics>,
-        I: Method<M>,
     {
-        let state = if self.is_as_started { *sim.state() } else { at_rest::<M>(sim.state())? };
+        let state = if self.is_as_started { *start } else { at_rest::<M>(start)? };
         let system = linearise(&state)?;
         let swings =
             system.shapes().into_iter().enumerate().filter(|(_, shape)| shape.mode.eigenvalue.im > 0.0);

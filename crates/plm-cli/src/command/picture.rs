@@ -1,4 +1,4 @@
-//! `plm picture`: a drawing of a declaration at its start or at a later time, as SVG.
+//! `plm picture`: a drawing of a declaration at its start or at a later time, as SVG or PNG.
 
 use plm_dynamic::{OnRun, Run};
 use plm_runtime::described::Place;
@@ -14,22 +14,23 @@ use crate::checked::Declarations;
 pub(super) const COMMAND: Command = Command {
     name: "picture",
     usage: "FILE …",
-    title: "draws a declaration at its start or at a later time (SVG)",
+    title: "draws a declaration at its start or at a later time (SVG, PNG)",
     options: &[
         ("--at SECONDS", "the time of the pose; without it the start"),
         ("--set NAME=VALUE", "a parameter, in its declared unit or with one"),
         ("--input NAME=VALUE", "an input, in its declared unit or with one"),
-        ("--svg FILE", "where it is written; without it the standard output"),
+        ("--svg FILE", "where it is written as SVG; without it and `--png` the standard output"),
+        ("--png FILE", "where it is written in pixels, 1200 wide"),
     ],
     run,
 };
 
 fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     let at = words.value("--at").map(|text| time(&text)).transpose()?;
-    let svg = words.value("--svg").unwrap_or_else(|| "-".to_owned());
+    let (svg, png) = (words.value("--svg"), words.value("--png"));
     let start = Start::asked(words, streams)?;
     let posed = || -> Result<Run, Failure> {
-        let mut run = start.run()?;
+        let mut run = start.mechanism()?.start()?;
         if let Some(at) = at.filter(|at| *at > run.time()) {
             run.step_to(at)?;
         }
@@ -43,7 +44,12 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
     if let Some(gravity) = gravity(&start) {
         sketch = sketch.with_gravity(gravity);
     }
-    write_whole(&svg, sketch.to_svg().as_bytes(), streams.output)?;
+    if let Some(name) = &png {
+        write_whole(name, &sketch.to_png(), streams.output)?;
+    }
+    if let Some(name) = svg.as_deref().or(png.is_none().then_some("-")) {
+        write_whole(name, sketch.to_svg().as_bytes(), streams.output)?;
+    }
     Ok(Outcome::Good)
 }
 

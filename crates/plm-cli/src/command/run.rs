@@ -77,12 +77,13 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
         .map_err(Failure::from)
         .and_then(|own| Driven::new(&asked, own, &file, streams))
         .and_then(|own| started(&asked, own, streams));
-    let (mut run, mut course) = match started {
-        Ok(both) => both,
+    let (mechanism, mut run, mut course) = match started {
+        Ok(started) => started,
         Err(failure) => return not_started(&asked, &file, failure, streams),
     };
     let inputs = &mut course;
-    let mut following = Following::new(&run, asked.method, asked.until, &mut *streams.errors);
+    let (begin, way) = (run.time(), (asked.method, asked.until));
+    let mut following = Following::new((&mechanism, begin), way, &mut *streams.errors);
     if asked.json {
         let ended = json::gathered(&asked, &mut run, inputs, &mut following);
         following.end();
@@ -138,8 +139,12 @@ fn file_to<'a>(name: &str, output: &'a mut dyn Write) -> Result<Box<dyn Write + 
     Ok(Box::new(fs::File::create(name).map_err(unwritten)?))
 }
 
-/// A run with the values that are asked for, and the course of its inputs.
-fn started(asked: &Asked, driven: Driven, streams: &mut Streams) -> Result<(Run, Course), Failure> {
+/// The mechanism with the values that are asked for, its run, and the course of its inputs.
+fn started(
+    asked: &Asked,
+    driven: Driven,
+    streams: &mut Streams,
+) -> Result<(Mechanism, Run, Course), Failure> {
     let Driven { mut mechanism, course, begin } = driven;
     translate(&mechanism);
     for text in &asked.set {
@@ -153,7 +158,7 @@ fn started(asked: &Asked, driven: Driven, streams: &mut Streams) -> Result<(Run,
     if let Some(far) = mechanism.far_start() {
         writeln!(streams.errors, "plm: {far}")?;
     }
-    Ok((run, course))
+    Ok((mechanism, run, course))
 }
 
 /// Has a run computed by machine code, where there is some for this processor.

@@ -1,6 +1,6 @@
 //! A declaration at its start, with parameters and inputs from the command line.
 
-use plm_dynamic::{Mechanism, Run};
+use plm_dynamic::Mechanism;
 
 use super::run::setting;
 use super::words::Words;
@@ -30,11 +30,11 @@ impl Start {
         Ok(Start { file, set, input })
     }
 
-    /// The run at its start.
+    /// The mechanism with these values.
     ///
     /// # Errors
-    /// Mistakes of the declaration, a value that is none, a start that cannot be assembled.
-    pub(super) fn run(&self) -> Result<Run, Failure> {
+    /// Mistakes of the declaration, a value that is none.
+    pub(super) fn mechanism(&self) -> Result<Mechanism, Failure> {
         let mut mechanism = Mechanism::from_named_text(&self.file.name, &self.file.text)?;
         for text in &self.set {
             let (name, value) = setting("--set", text, mechanism.declared_parameters())?;
@@ -44,6 +44,6 @@ impl Start {
             let (name, value) = setting("--input", text, mechanism.declared_inputs())?;
             mechanism.set_input(name, value)?;
         }
-        Ok(mechanism.start()?)
+        Ok(mechanism)
     }
 }

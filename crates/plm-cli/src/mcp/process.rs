@@ -1,5 +1,6 @@
 //! A call as a process: `plm` with these words, within limits of time, memory and length of what it says.
 
+use std::borrow::Cow;
 use std::io::{Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -25,8 +26,16 @@ pub(crate) struct Limits {
 /// Output and exit code of a process.
 pub(super) struct Said {
     pub(super) code: i32,
-    pub(super) output: String,
+    /// Text, except where a picture in pixels was asked for.
+    pub(super) output: Vec<u8>,
     pub(super) errors: String,
+}
+
+impl Said {
+    /// The output as text.
+    pub(super) fn text(&self) -> Cow<'_, str> {
+        String::from_utf8_lossy(&self.output)
+    }
 }
 
 /// How a process ended.
@@ -93,7 +102,7 @@ impl Running {
             Ok(Some(status)) => Some(self.said(status)),
             Ok(None) if self.since.elapsed().as_secs_f64() > self.limits.seconds => {
                 self.end();
-                let [_, errors] = self.texts();
+                let (_, errors) = self.spoken();
                 let limit = self.limits.seconds;
                 Some(Ended::Limit(format!(
                     "the call took more than {limit} s, the limit of time (`plm mcp --seconds`)\n{errors}"
@@ -108,7 +117,7 @@ impl Running {
     }
 
     fn said(&mut self, status: ExitStatus) -> Ended {
-        let [output, errors] = self.texts();
+        let (output, errors) = self.spoken();
         // Rust's own words where an allocator has no more.
         if errors.contains("memory allocation of") {
             let limit = self.limits.mebibytes;
@@ -122,12 +131,11 @@ impl Running {
         }
     }
 
-    /// Standard output and standard error.
-    fn texts(&mut self) -> [String; 2] {
-        let text = |stream: JoinHandle<Vec<u8>>| {
-            String::from_utf8_lossy(&stream.join().unwrap_or_default()).into_owned()
-        };
-        self.streams.take().map(|streams| streams.map(text)).unwrap_or_default()
+    /// Standard output, and the text of standard error.
+    fn spoken(&mut self) -> (Vec<u8>, String) {
+        let bytes = |stream: JoinHandle<Vec<u8>>| stream.join().unwrap_or_default();
+        let [output, errors] = self.streams.take().map(|streams| streams.map(bytes)).unwrap_or_default();
+        (output, String::from_utf8_lossy(&errors).into_owned())
     }
 
     fn end(&mut self) {

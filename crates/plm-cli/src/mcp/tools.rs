@@ -1,5 +1,7 @@
 //! The tools: commands of `plm` with their arguments, and what their results are to an agent.
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
 use super::arguments::{Arguments, Field, Kind, schema};
@@ -129,15 +131,16 @@ const TOOLS: [Tool; 7] = [
     Tool {
         name: "picture",
         title: "Draw a mechanism",
-        about: "A drawing as SVG, at the start or at a later time.",
+        about: "A drawing at the start or at a later time: PNG to look at, or SVG.",
         fields: &[
             optional("at", Kind::Seconds, "the time of the pose, s; without it the start"),
+            optional("format", Kind::OneOf(&["svg", "png"]), "svg without it; png is 1200 pixels wide"),
             SET,
             INPUT,
             optional(
                 "to",
                 Kind::Text,
-                "a file to be written, relative to the folder of the server; without it the text",
+                "a file to be written, relative to the folder of the server; without it the picture is answered",
             ),
         ],
         writes: true,
@@ -145,10 +148,11 @@ const TOOLS: [Tool; 7] = [
             let mut words = vec!["picture".to_owned()];
             words.extend(seconds(given, "at"));
             words.extend([given.values("set"), given.values("input")].concat());
-            words.extend(given.place("to")?.map(|file| format!("--svg={file}")));
+            let (format, to) = (given.text("format").unwrap_or("svg"), given.place("to")?.unwrap_or("-"));
+            words.push(format!("--{format}={to}"));
             Ok(words)
         },
-        answer: as_text,
+        answer: as_picture,
     },
     Tool {
         name: "assemble",
@@ -302,7 +306,7 @@ fn because(told: &Said) -> String {
 /// The result of `plm check --json`; mistakes of the declaration are its result.
 fn checked(told: &Said) -> Value {
     let diagnostics: Vec<Value> =
-        told.output.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
+        told.text().lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     if told.code > 1 {
         return failed(&because(told));
     }
@@ -334,7 +338,7 @@ fn fixes(diagnostic: &Value) -> Vec<Value> {
 
 /// The result of a command that writes one object; messages beside it are told in it.
 fn of_json(told: &Said) -> Value {
-    let Ok(mut value) = serde_json::from_str::<Value>(told.output.trim()) else {
+    let Ok(mut value) = serde_json::from_slice::<Value>(&told.output) else {
         return failed(&because(told));
     };
     if !told.errors.trim().is_empty() {
@@ -348,11 +352,21 @@ fn as_text(told: &Said) -> Value {
     if told.code != 0 {
         return failed(&because(told));
     }
-    let mut result = said(&told.output);
+    let mut result = said(&told.text());
     if !told.errors.trim().is_empty()
         && let Some(content) = result["content"].as_array_mut()
     {
         content.push(json!({ "type": "text", "text": told.errors.trim_end() }));
+    }
+    result
+}
+
+/// The result of a command that writes a picture: pixels are an image.
+fn as_picture(told: &Said) -> Value {
+    let mut result = as_text(told);
+    if told.code == 0 && told.output.starts_with(b"\x89PNG") {
+        result["content"][0] =
+            json!({ "type": "image", "mimeType": "image/png", "data": STANDARD.encode(&told.output) });
     }
     result
 }

@@ -215,3 +215,21 @@ fn each_revision_is_answered_in_its_form() {
     assert_eq!(said[4]["result"]["protocolVersion"], "2025-11-25");
     assert!(said[5]["result"].get("resultType").is_none());
 }
+
+/// A picture in pixels is an image of the answer, or a file.
+#[test]
+fn a_picture_is_text_or_pixels() {
+    let folder = folder();
+    let svg = result(&folder, &[], "picture", &json!({ "text": PENDULUM }));
+    assert!(svg["content"][0]["text"].as_str().unwrap().starts_with("<svg"), "{svg}");
+    let png = result(&folder, &[], "picture", &json!({ "text": PENDULUM, "format": "png", "at": 0.3 }));
+    let image = &png["content"][0];
+    assert_eq!((&image["type"], &image["mimeType"]), (&json!("image"), &json!("image/png")), "{png}");
+    // The signature of PNG, in base 64.
+    assert!(image["data"].as_str().unwrap().starts_with("iVBORw0KGgo"), "{png}");
+    let to = json!({ "text": PENDULUM, "format": "png", "to": "pendulum.png" });
+    assert_eq!(result(&folder, &[], "picture", &to)["isError"], false);
+    assert!(fs::read(folder.join("pendulum.png")).unwrap().starts_with(b"\x89PNG\r\n\x1a\n"));
+    let other = result(&folder, &[], "picture", &json!({ "text": PENDULUM, "format": "gif" }));
+    assert!(cause(&other).contains("one of svg, png"), "{other}");
+}

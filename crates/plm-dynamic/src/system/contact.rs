@@ -95,7 +95,7 @@ impl<
         let mut rows = Kinematics::none();
         if let Some(functions) = self.contact_functions(u) {
             let frame = Frame::of_state(t, u, x);
-            self.evaluate(&functions.kinematics, &frame, [], |place, value| match place {
+            self.evaluate(&functions.kinematics, &frame, &mut [], &mut |place, value| match place {
                 Place::Rows(OfRows::Gap(row)) => store(&mut rows.gap, row, value),
                 Place::Rows(OfRows::Rate(row)) => store(&mut rows.rate, row, value),
                 _ => {}
@@ -127,7 +127,7 @@ impl<
         let mut health = if is_tree { S::lit(1.0) } else { S::ZERO };
         if let Some(code) = code {
             let frame = Frame::of_state(t, u, x);
-            let returned = self.evaluate(code, &frame, [&mut rate], |place, value| match place {
+            let returned = self.evaluate(code, &frame, &mut [&mut rate], &mut |place, value| match place {
                 Place::Response(row, k) => {
                     if let Some(response) = responses.get_mut(row) {
                         store(response, k, value);

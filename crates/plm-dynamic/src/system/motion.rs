@@ -56,7 +56,7 @@ impl<
         let mut health = [S::ZERO];
         let beside = Beside { step: &[h], ..Beside::NONE };
         let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, from) };
-        let spread = self.compute(code, &frame, &mut [to, &mut health], |_, _| {})?;
+        let spread = self.compute(code, &frame, &mut [to, &mut health], &mut |_, _| {})?;
         let [health] = health;
         Some(WholeStep { health: Health(health), spread })
     }

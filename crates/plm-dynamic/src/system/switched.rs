@@ -7,7 +7,7 @@ use plm_runtime::{Cause, Common, Enclosed, Fault, Moment, Real, Switched, Switch
 
 use super::State;
 use crate::capacity::{EVENTS, KINKS};
-use crate::code::with_room;
+use crate::code::Zeros;
 use crate::handle::{Beside, Dynamic, Frame, Held};
 use crate::places::{Argument, Array};
 
@@ -68,15 +68,15 @@ impl<
 
     fn watch<T>(&self, t: S, u: &Self::U, x: &[S; N], see: impl FnOnce(&[S]) -> T) -> T {
         let switches = self.switches();
-        with_room(switches.guards + switches.kinks, |all| {
-            if all.is_empty() {
-            } else if self.conditions_read_multipliers() {
-                self.watch_holding(t, &self.loaded(t, u, x), x, all);
-            } else {
-                self.watch_holding(t, u, x, all);
-            }
-            see(all)
-        })
+        let mut room = Zeros::new();
+        let all = room.of(switches.guards + switches.kinks);
+        if all.is_empty() {
+        } else if self.conditions_read_multipliers() {
+            self.watch_holding(t, &self.loaded(t, u, x), x, all);
+        } else {
+            self.watch_holding(t, u, x, all);
+        }
+        see(all)
     }
 
     fn watch_within(
@@ -100,25 +100,24 @@ impl<
             Argument::Element(Array::X, place) => x(place),
             _ => Enclosed::constant(self.read(argument, &frame)),
         };
-        with_room(watched, |all: &mut [Enclosed<S>]| {
-            code.interpret(argument, &mut [&mut *all], |_, _| {});
-            for (number, value) in all.iter().enumerate() {
-                each(number, *value);
-            }
-        });
+        let mut room = Zeros::<Enclosed<S>>::new();
+        let all = room.of(watched);
+        code.interpret(&argument, &mut [&mut *all], &mut |_, _| {});
+        for (number, value) in all.iter().enumerate() {
+            each(number, *value);
+        }
         true
     }
 
     fn known_times<T>(&self, u: &Self::U, see: impl FnOnce(&[S], &[S]) -> T) -> T {
         let count = self.switches().times;
-        with_room(2 * count, |both| {
-            let (at, slopes) = both.split_at_mut(count);
-            if count > 0 {
-                let frame = Frame { held: Some(u), ..Frame::at(S::ZERO) };
-                self.run(&self.model.switches.instants, &frame, [&mut *at, &mut *slopes]);
-            }
-            see(at, slopes)
-        })
+        let mut room = Zeros::new();
+        let (at, slopes) = room.of(2 * count).split_at_mut(count);
+        if count > 0 {
+            let frame = Frame { held: Some(u), ..Frame::at(S::ZERO) };
+            self.run(&self.model.switches.instants, &frame, [&mut *at, &mut *slopes]);
+        }
+        see(at, slopes)
     }
 
     fn change(

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use super::WIDTH;
+use super::drawing::Drawing;
 use super::paper::{Paper, Point};
 use super::symbol::Symbol;
-use super::{WIDTH, look};
 use crate::Error;
 use crate::svg::{text_width, wrap, write_file};
 
@@ -168,7 +169,7 @@ impl Block {
             paper.text("name", [MIDDLE[0], bottom + 6.0], &line);
             bottom += 20.0;
         }
-        look::file(&self.name, &paper.shapes, WIDTH, [top, bottom])
+        Drawing { title: self.name.clone(), marks: paper.marks, width: WIDTH, rows: [top, bottom] }.to_svg()
     }
 
     /// Writes the drawing to a file, and makes the folders above it where they are missing.

@@ -1,13 +1,18 @@
-//! Schematic drawings of mechanisms as SVG: bodies, joints, force elements and the ground in the signs that mechanics uses.
+//! Schematic drawings of mechanisms as SVG and PNG: bodies, joints, force elements and the ground in the signs that mechanics uses.
 
 mod block;
 mod body;
+mod canvas;
+mod drawing;
 mod drives;
 mod element;
 mod joint;
 mod label;
+mod letters;
 mod look;
+mod mark;
 mod paper;
+mod png;
 mod shape;
 mod stage;
 mod symbol;
@@ -16,6 +21,7 @@ mod wheel;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use self::drawing::Drawing;
 use self::stage::Stage;
 use crate::svg::write_file;
 use crate::{Error, Mechanism};
@@ -118,6 +124,17 @@ impl Sketch {
 
     /// The drawing as SVG text, the same for the same mechanism and pose. What has no finite place is left out.
     pub fn to_svg(&self) -> String {
+        self.drawing().to_svg()
+    }
+
+    /// The drawing as a PNG file, 1200 pixels wide, in the light colours; the same for the same mechanism and pose.
+    ///
+    /// Letters beyond those of Latin-1 are question marks.
+    pub fn to_png(&self) -> Vec<u8> {
+        self.drawing().to_png()
+    }
+
+    fn drawing(&self) -> Drawing {
         let mut stage = Stage::new(self);
         stage.draw_rails();
         stage.draw_bodies();

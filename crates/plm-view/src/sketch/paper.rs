@@ -1,8 +1,6 @@
-//! Strokes on an SVG picture. What was drawn is remembered as dots, so that texts can keep clear of it.
+//! Strokes of a picture. What was drawn is remembered as dots, so that texts can keep clear of it.
 
-use std::fmt::Write;
-
-use crate::svg::escape;
+use super::mark::{Form, Mark};
 
 /// A place on the paper, in pixels, y downwards.
 pub(super) type Point = [f64; 2];
@@ -14,22 +12,22 @@ const MOST_CORNERS: usize = 40;
 /// Length and half the width of the head of an arrow, in pixels.
 const HEAD: (f64, f64) = (9.0, 3.6);
 
-/// Shapes as SVG text, and where they are.
+/// Marks in the order in which they were made, and where they are.
 #[derive(Debug, Default)]
 pub(super) struct Paper {
-    pub(super) shapes: String,
+    pub(super) marks: Vec<Mark>,
     pub(super) dots: Vec<Point>,
 }
 
 impl Paper {
     /// A line through points.
     pub(super) fn line(&mut self, class: &str, points: &[Point]) {
-        self.path(class, points, "");
+        self.path(class, points, false);
     }
 
     /// A closed line through points.
     pub(super) fn polygon(&mut self, class: &str, points: &[Point]) {
-        self.path(class, points, "Z");
+        self.path(class, points, true);
         if let [first, .., last] = points {
             self.remember(*last, *first);
             // The inside is covered too.
@@ -51,13 +49,7 @@ impl Paper {
         if holes.is_empty() {
             return self.polygon(class, whole);
         }
-        let text = |ring: &Vec<Point>| {
-            let corners: Vec<String> = ring.iter().map(|at| pair(*at)).collect();
-            format!("M{}Z", corners.join("L"))
-        };
-        let texts: Vec<String> = rings.iter().map(text).collect();
-        let _ =
-            writeln!(self.shapes, r#"<path class="{class}" fill-rule="evenodd" d="{}"/>"#, texts.concat());
+        self.mark(class, Form::Rings(rings.to_vec()));
         rings.iter().flat_map(|ring| ring.windows(2)).for_each(|ends| self.remember(ends[0], ends[1]));
     }
 
@@ -69,17 +61,19 @@ impl Paper {
         }
     }
 
-    fn path(&mut self, class: &str, points: &[Point], end: &str) {
-        let corners: Vec<String> = points.iter().map(|at| pair(*at)).collect();
-        let _ = writeln!(self.shapes, r#"<path class="{class}" d="M{}{end}"/>"#, corners.join("L"));
+    fn mark(&mut self, class: &str, form: Form) {
+        self.marks.push(Mark { class: class.to_owned(), form });
+    }
+
+    fn path(&mut self, class: &str, points: &[Point], is_closed: bool) {
+        self.mark(class, Form::Path { points: points.to_vec(), is_closed });
         let corners: Vec<Point> =
             points.iter().step_by(points.len().div_ceil(MOST_CORNERS).max(1)).copied().collect();
         corners.windows(2).for_each(|ends| self.remember(ends[0], ends[1]));
     }
 
     pub(super) fn circle(&mut self, class: &str, at: Point, radius: f64) {
-        let ([x, y], r) = (at.map(number), number(radius));
-        let _ = writeln!(self.shapes, r#"<circle class="{class}" cx="{x}" cy="{y}" r="{r}"/>"#);
+        self.mark(class, Form::Circle { at, radius });
         for k in 0..12 {
             self.dots.push(beside(at, f64::from(k) * std::f64::consts::TAU / 12.0, radius));
         }
@@ -100,13 +94,7 @@ impl Paper {
         let short = to - sense * 0.7 * HEAD.0 / radius;
         let steps = 24;
         let at = |k: i32| beside(centre, from + (short - from) * f64::from(k) / f64::from(steps), radius);
-        let (start, end) = (at(0), at(steps));
-        let (large, sweep) = (u8::from((short - from).abs() > std::f64::consts::PI), u8::from(sense < 0.0));
-        let (start_text, end_text, r) = (pair(start), pair(end), number(radius));
-        let _ = writeln!(
-            self.shapes,
-            r#"<path class="{class}" d="M{start_text}A{r} {r} 0 {large} {sweep} {end_text}"/>"#
-        );
+        self.mark(class, Form::Arc { centre, radius, from, to: short });
         (0..=steps).for_each(|k| self.dots.push(at(k)));
         // The chord of the head lies within the circle.
         let along = to + sense * (std::f64::consts::FRAC_PI_2 - 0.5 * HEAD.0 / radius);
@@ -121,9 +109,7 @@ impl Paper {
 
     /// Text with its middle at a place.
     pub(super) fn text(&mut self, class: &str, at: Point, text: &str) {
-        let [x, y] = at.map(number);
-        let text = escape(text);
-        let _ = writeln!(self.shapes, r#"<text class="{class}" x="{x}" y="{y}">{text}</text>"#);
+        self.mark(class, Form::Text { at, text: text.to_owned() });
         self.dots.extend([[at[0], at[1] - 8.0], [at[0], at[1] + 8.0]]);
     }
 
@@ -138,16 +124,4 @@ impl Paper {
 pub(super) fn beside(at: Point, angle: f64, distance: f64) -> Point {
     let (sin, cos) = angle.sin_cos();
     [at[0] + distance * cos, at[1] - distance * sin]
-}
-
-/// A distance or place to a tenth of a pixel.
-pub(super) fn number(value: f64) -> String {
-    let tenths = (10.0 * value).round() as i64;
-    let (sign, whole, rest) = (if tenths < 0 { "-" } else { "" }, tenths.abs() / 10, tenths.abs() % 10);
-    if rest == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{rest}") }
-}
-
-fn pair(at: Point) -> String {
-    let [x, y] = at.map(number);
-    format!("{x} {y}")
 }

@@ -2,9 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use super::drawing::Drawing;
 use super::label::{self, Label};
 use super::paper::{Paper, Point, beside};
-use super::{Sketch, WIDTH, look};
+use super::{Sketch, WIDTH};
 use crate::{Frame, Part, Shape};
 
 /// Left and right end of the room for the mechanism, in pixels; on its left stand the axes.
@@ -181,7 +182,7 @@ impl<'a> Stage<'a> {
     }
 
     /// All that was drawn, with texts, axes and gravity.
-    pub(super) fn finish(mut self) -> String {
+    pub(super) fn finish(mut self) -> Drawing {
         let order = |label: &Label| ["sign", "name", "given"].iter().position(|class| *class == label.class);
         self.labels.sort_by_key(|label| order(label).unwrap_or(3));
         label::draw(&self.labels, &mut self.paper, FIELD);
@@ -191,7 +192,8 @@ impl<'a> Stage<'a> {
         let top = top.min(bottom - 190.0);
         self.draw_axes(bottom - 26.0);
         self.paper.text("title", [14.0, top + 18.0], &self.sketch.title);
-        look::file(&self.sketch.title, &self.paper.shapes, WIDTH, [top, bottom])
+        let title = self.sketch.title.clone();
+        Drawing { title, marks: self.paper.marks, width: WIDTH, rows: [top, bottom] }
     }
 
     /// The absolute axes and gravity, left of all else.

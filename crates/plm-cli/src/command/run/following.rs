@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::time::{Duration, Instant};
 
-use plm_dynamic::{Integrator, Run};
+use plm_dynamic::{Integrator, Mechanism};
 
 use crate::interrupt;
 
@@ -18,8 +18,10 @@ const MANY: u64 = 20_000;
 
 /// Follows a run.
 pub(super) struct Following<'a> {
-    /// The run at its start, of which stiffness is asked.
-    start: Run,
+    /// Of its start stiffness is asked.
+    mechanism: &'a Mechanism,
+    /// The run begins there, s.
+    begin: f64,
     method: Integrator,
     until: f64,
     clock: Instant,
@@ -32,10 +34,15 @@ pub(super) struct Following<'a> {
 }
 
 impl<'a> Following<'a> {
-    pub(super) fn new(run: &Run, method: Integrator, until: f64, errors: &'a mut dyn Write) -> Following<'a> {
+    /// A run of a mechanism that begins at a time, s, and has a method and an end, s.
+    pub(super) fn new(
+        (mechanism, begin): (&'a Mechanism, f64),
+        (method, until): (Integrator, f64),
+        errors: &'a mut dyn Write,
+    ) -> Following<'a> {
         interrupt::wait();
-        let (start, time) = (run.clone(), run.time());
-        Following { start, method, until, clock: Instant::now(), steps: 0, time, has_told: false, errors }
+        let clock = Instant::now();
+        Following { mechanism, begin, method, until, clock, steps: 0, time: begin, has_told: false, errors }
     }
 
     /// Does the run go on after a step to this time, s?
@@ -44,8 +51,7 @@ impl<'a> Following<'a> {
         self.time = time;
         if self.steps.is_multiple_of(LOOK) && !self.has_told {
             let taken = self.clock.elapsed();
-            let begun = self.start.time();
-            let ahead = (self.until - time) / (time - begun).max(f64::MIN_POSITIVE);
+            let ahead = (self.until - time) / (time - self.begin).max(f64::MIN_POSITIVE);
             if taken > PATIENCE && ahead > AHEAD {
                 self.tell();
             }
@@ -63,8 +69,8 @@ impl<'a> Following<'a> {
     /// Writes a notice that the run is stiff, if it is.
     fn tell(&mut self) {
         self.has_told = true;
-        let step = (self.time - self.start.time()) / self.steps as f64;
-        if let Some(rate) = stiffness(&mut self.start, self.method, step) {
+        let step = (self.time - self.begin) / self.steps as f64;
+        if let Some(rate) = stiffness(self.mechanism, self.method, step) {
             // If messages cannot be written, there is no place to report it.
             let _ = writeln!(
                 self.errors,
@@ -79,7 +85,7 @@ impl<'a> Following<'a> {
 
 /// The fastest decay at the start, 1/s, where stability by an explicit method holds steps as short as these, s.
 #[cfg(feature = "identify")]
-fn stiffness(start: &mut Run, method: Integrator, step: f64) -> Option<f64> {
+fn stiffness(mechanism: &Mechanism, method: Integrator, step: f64) -> Option<f64> {
     let (Integrator::Dop853(tolerance)
     | Integrator::Vern9(tolerance)
     | Integrator::Adams(tolerance)
@@ -87,14 +93,15 @@ fn stiffness(start: &mut Run, method: Integrator, step: f64) -> Option<f64> {
     else {
         return None;
     };
-    let choice = start.then(AtStart(tolerance));
+    // It was assembled for the run.
+    let choice = mechanism.at_start(AtStart(tolerance)).ok()?;
     // The boundary of stability of these methods lies at products between 0.2 (Adams) and 8.
     (choice.stiff && choice.decay * step > 0.1).then_some(choice.decay)
 }
 
 /// Without eigenvalues nothing is known.
 #[cfg(not(feature = "identify"))]
-fn stiffness(_: &mut Run, _: Integrator, _: f64) -> Option<f64> {
+fn stiffness(_: &Mechanism, _: Integrator, _: f64) -> Option<f64> {
     None
 }
 
@@ -103,16 +110,15 @@ fn stiffness(_: &mut Run, _: Integrator, _: f64) -> Option<f64> {
 struct AtStart(f64);
 
 #[cfg(feature = "identify")]
-impl plm_dynamic::OnRun for AtStart {
+impl plm_dynamic::OnStart for AtStart {
     type Output = plm_studies::analysis::Choice;
 
-    fn on<M, I>(self, sim: &mut plm_runtime::Sim<M, I>) -> plm_studies::analysis::Choice
+    fn on<M>(self, state: &M::State) -> plm_studies::analysis::Choice
     where
         M: plm_runtime::Described<S = f64, U: plm_runtime::held::Discrete>
             + plm_runtime::Statics
             + plm_runtime::Linear<Lifted<1>: plm_runtime::Described + plm_runtime::Statics>,
-        I: plm_runtime::Method<M>,
     {
-        plm_studies::analysis::Choice::at(sim.state(), self.0)
+        plm_studies::analysis::Choice::at(state, self.0)
     }
 }
