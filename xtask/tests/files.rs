@@ -1,5 +1,5 @@
 //! The picture of the architecture is what the manifests give; packages have what they need; counts are those of what is counted.
-#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 use std::path::Path;
 

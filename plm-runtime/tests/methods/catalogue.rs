@@ -21,7 +21,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 
 /// The names that methods give themselves.
 fn written() -> BTreeSet<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/method");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("plm-runtime/src/method");
     let mut names = BTreeSet::new();
     for source in sources(&folder) {
         let text = fs::read_to_string(source).unwrap();

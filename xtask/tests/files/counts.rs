@@ -29,7 +29,7 @@ fn instruction_counts_are_those_of_the_scenes() {
             panic!("{TABLE} has no row of {name} in its place: bash benches/instructions.sh >{TABLE}")
         });
         let numbers: Vec<f64> = row.split_whitespace().filter_map(|number| number.parse().ok()).collect();
-        // Behind the count of the formula and of a body stand its limit and the ratio to it, if there is a limit.
+        // After the count of the formula and of a body stand its limit and the ratio to it, if there is a limit.
         let (counted, with_sim) = (numbers[0], numbers[if formula.is_some() { 4 } else { 2 }]);
         assert!(formula.is_none_or(|limit| counted <= limit), "{TABLE}: {name} is above its limit");
         assert!(with_sim <= sim, "{TABLE}: a step of `Sim` of {name} is above its limit, {sim}");

@@ -275,7 +275,7 @@ mod tests {
         let (whole, hole) = (square(3.3, 20.7), square(8.1, 12.4));
         let area = |low: f64, high: f64| (high - low) * (high - low);
         let near = |found: f64, expected: f64| {
-            assert!((found - expected).abs() < 0.02 * expected, "{found} {expected}")
+            assert!((found - expected).abs() < 0.02 * expected, "{found} {expected}");
         };
         near(filled(&[&whole], Inside::NotZero), area(3.3, 20.7));
         near(filled(&[&whole, &hole], Inside::Odd), area(3.3, 20.7) - area(8.1, 12.4));
