@@ -99,7 +99,7 @@ fn a_chain_turns_with_its_gravity() {
         "hinge.force",
         "ground { port o: turn((1, 2) m, tilt); }
         repeat i in 0..8 {
-        body bar[i] { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.2, 0) m; port b: (0.2, 0.01) m; start angle: 10 deg*i + tilt, locked; }
+            body bar[i] { mass: 1 kg; inertia: 0.02 kg*m^2; port a: (-0.2, 0) m; port b: (0.2, 0.01) m; start angle: 10 deg*i + tilt, locked; }
         }
         revolute hinge(ground.o, bar[0].a);
         repeat i in 1..8 { revolute pin[i](bar[i-1].b, bar[i].a) { damping: 0.01 N*m*s/rad; } }

@@ -7,11 +7,14 @@ use std::fmt::Write as _;
 use std::sync::{LazyLock, Mutex, PoisonError};
 
 use plm::dynamic::{self, Small};
-use plm::runtime::{
-    Absolute as _, Described, Linear, Moment, Ports, Rate, Start, StartValues, Statics, absolute,
-};
-use plm::{BodyState, Dop853, Fault, Mechanism};
-use plm_run::{AnyMethod, AnySim};
+use plm::runtime::{Absolute as _, Described, Moment, Ports, Rate, Start, StartValues, Statics, absolute};
+use plm::{BodyState, Fault, Mechanism};
+
+#[path = "by.rs"]
+mod by;
+
+#[allow(unused_imports, reason = "each program uses some of it")]
+pub(crate) use by::By;
 
 /// Declares a mechanism by its text: `scene! { pub Ball { … } }`, of which `Ball::new()` is one as declared. A part may stand before it.
 macro_rules! scene {
@@ -79,21 +82,6 @@ fn place<'a>(name: &str, names: impl Iterator<Item = &'a str> + Clone) -> usize 
     let found = names.clone().position(|own| own == name);
     found.unwrap_or_else(|| panic!("there is no `{name}` among {:?}", names.collect::<Vec<_>>()))
 }
-
-/// Runs whose code `plm-dynamic` has, and optimises: tests with many steps take a fraction of the time.
-pub(crate) trait By: Mechanism + Linear {
-    /// Assembles it, for runs by a method.
-    fn by(self, method: impl Into<AnyMethod<Self>>) -> Result<AnySim<Self>, Fault> {
-        self.start_with(method.into())
-    }
-
-    /// Assembles it, for runs by the default method.
-    fn begin(self) -> Result<AnySim<Self>, Fault> {
-        self.by(Dop853::default())
-    }
-}
-
-impl<M: Mechanism + Linear> By for M {}
 
 /// Numbers that are given to a mechanism by their names, SI.
 pub(crate) trait Given: Sized {

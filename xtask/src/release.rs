@@ -171,7 +171,7 @@ fn examples(place: &Place, folder: &Path) -> Result {
     Ok(())
 }
 
-/// What a user does with the files, on an empty Debian, and with those for Windows by Wine.
+/// The files as users have them: on an empty Debian, and those for Windows by Wine.
 fn tried(place: &Place, folder: &Path, parts: &[&str]) -> Result {
     let on_debian: Vec<&&str> = parts.iter().filter(|part| **part != "windows").collect();
     if parts.is_empty() || !on_debian.is_empty() {

@@ -47,11 +47,6 @@ fn converted<A: Copy, B: Copy, const N: usize>(from: &[A; N], zero: B, by: &impl
 /// The most lists of results that a function has.
 const OUTPUTS: usize = 4;
 
-/// The number itself, where it is of the type that machine code computes with.
-fn plain<S: Scalar>(number: S) -> f64 {
-    S::f64s(&[number]).and_then(|own| own.first().copied()).unwrap_or_default()
-}
-
 /// Start values: x, y, angle, vx, vy, omega of each body, then first-order states.
 #[derive(Clone, Copy, Debug)]
 pub struct Starts<S, const N: usize> {
@@ -207,7 +202,7 @@ impl<
         }
         let own = own.get_mut(..count)?;
         let list = |list| S::f64s(self.list(list, frame)).unwrap_or_default();
-        let gathered = |argument| plain(self.read(argument, frame));
+        let gathered = |argument| self.read(argument, frame).to_f64();
         let value = code.compute(
             machine_code,
             self.first_lists(frame),

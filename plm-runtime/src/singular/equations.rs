@@ -126,7 +126,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
         let mut dx = x;
         M::accelerate(&extended, t, &inputs, &x, &mut dx);
         let exact = Evaluated { x, dx };
-        exact.rounded().dx.is_finite().then_some(exact)
+        exact.dx.is_finite().then_some(exact)
     }
 
     /// Is a state where it was before it was led back? Otherwise the constraints are elsewhere: lengths that repeat each

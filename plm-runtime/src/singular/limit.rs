@@ -102,7 +102,8 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
             let next = LIMIT_PARTS.into_iter().find_map(|part| self.nearer(context, &at, M::S::lit(part)));
             let Some(next) = next else {
                 // Of several loops that are nearly flat, rounding leaves less than of one.
-                let by_rounding = at.left <= M::S::lit(HELD) * all && M::S::lit(HELD) * at.left <= enough;
+                let held = HELD.of::<M::S>();
+                let by_rounding = at.left <= held * all && held * at.left <= enough;
                 return by_rounding.then_some(at);
             };
             at = next;
@@ -135,7 +136,7 @@ impl<M: ExtendedPrecision<NQ, NC, NX>, const NQ: usize, const NC: usize, const N
         }
         let left = self.left(&exact.rounded())?;
         let expected = (one - part) * at.left;
-        let by = M::S::lit(ON_THE_WAY);
+        let by = ON_THE_WAY.of::<M::S>();
         let holds = off < by * to_go && (left - expected).abs() < by * expected;
         holds.then_some(Moment { time, x: exact.x, left })
     }

@@ -11,10 +11,7 @@ use crate::double_double::DoubleDouble;
 use crate::fault::{Cause, Fault};
 use crate::linalg::{add, dot};
 use crate::scalar::{Real, Scalar};
-use crate::tolerances::{FOUND, HALVED, LOCK_STEPS, TIME_FOUND, TOGETHER};
-
-/// Joints that move with a prescribed motion are open by so many times what it is in the resolution of a time, and closed.
-const CLOSES: f64 = 10.0;
+use crate::tolerances::{CLOSES, FOUND, HALVED, LOCK_STEPS, TIME_FOUND, TOGETHER};
 
 /// How the singular pose next to a prescribed motion changes with the time.
 pub(super) enum Ends<S, const NQ: usize, const NC: usize> {
@@ -180,7 +177,7 @@ impl<S: Real, const NQ: usize, const NC: usize> Value<S, NQ, NC> {
     /// motion has ended before.
     fn closes(&self, first: &Self) -> bool {
         let by = self.rate.abs() * resolution((first.time, self.time));
-        self.critical.is_closed(S::lit(CLOSES) * by)
+        self.critical.is_closed(CLOSES.of::<S>() * by)
     }
 }
 

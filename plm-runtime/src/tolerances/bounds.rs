@@ -20,12 +20,6 @@ pub(crate) const LIMIT_STEPS: usize = 30;
 /// Parts of the time that is left until the speed of a prescribed motion has no bound, in the order of trial: after the first its speed is
 /// three times as large; the shorter ones serve where the law of its end does not hold yet.
 pub(crate) const LIMIT_PARTS: [f64; 3] = [0.9, 0.6, 0.3];
-/// A part of the distance and of the time to that end. Nearer to it the law gains digits with each step; a motion that passes a pose by is
-/// off by all of them.
-pub(crate) const ON_THE_WAY: f64 = 0.5;
-/// A part of the time to that end: a law that has held down to it holds to the end, if the time that is left is at most the inverse of it
-/// times what rounding leaves undecided.
-pub(crate) const HELD: f64 = 1e-4;
 /// Newton steps from a stage of a step onto the constraints: numbers of twice the precision have 32 digits; each step doubles the
 /// correct ones, and near a singular pose halves the distance at first.
 pub(crate) const CLOSING_STEPS: usize = 16;

@@ -91,6 +91,15 @@ super::tolerances! {
     FOUND: f64 = 16.0;
     /// A part of the remaining time. Accuracy of the time of a lock-up.
     TIME_FOUND: f64 = 1e-9;
+    /// A ratio of gaps. Joints are closed at a lock-up if they are open by at most so many times what a prescribed motion changes within the
+    /// resolution of the time: the rate of other rows may be larger by a digit.
+    CLOSES: f64 = 10.0;
+    /// A part of the distance and of the time to the end of a prescribed motion by its speed. Nearer to it the law gains digits with each
+    /// step; a motion that passes a pose by is off by all of them.
+    ON_THE_WAY: f64 = 0.5;
+    /// A part of the time to that end. A law that has held down to it holds to the end, if the time that is left is at most the inverse of
+    /// it times what rounding leaves undecided.
+    HELD: f64 = 1e-4;
 
     // States on the constraints.
 

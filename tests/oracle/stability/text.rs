@@ -2,10 +2,12 @@
 
 use plm_dynamic::Dynamic;
 use plm_oracle::mechanism;
-use plm_run::{AnyMethod, AnySim};
-use plm_runtime::{
-    BodyState, Described, Dop853, Fault, Linear, Mechanism, Moment, StartValues as _, Statics,
-};
+use plm_runtime::{BodyState, Described, Mechanism, Moment, StartValues as _, Statics};
+
+#[path = "../../support/by.rs"]
+mod by;
+
+pub(crate) use by::By;
 
 /// A mechanism of at most 8 bodies.
 pub type Scene = Dynamic<f64, 24, 32, 64>;
@@ -38,27 +40,6 @@ pub fn deep<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
     let thread = std::thread::Builder::new().stack_size(256 << 20).spawn(work);
     thread.expect("a thread").join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
 }
-
-/// Runs by whatever method, which have one type: the code of a run is there once.
-pub trait By: Mechanism + Linear {
-    /// Assembles it, for runs by a method.
-    ///
-    /// # Errors
-    /// As [`Mechanism::start`].
-    fn by(self, method: impl Into<AnyMethod<Self>>) -> Result<AnySim<Self>, Fault> {
-        self.start_with(method.into())
-    }
-
-    /// Assembles it, for runs by the default method.
-    ///
-    /// # Errors
-    /// As [`Mechanism::start`].
-    fn begin(self) -> Result<AnySim<Self>, Fault> {
-        self.by(Dop853::default())
-    }
-}
-
-impl<M: Mechanism + Linear> By for M {}
 
 /// Numbers that are given to a mechanism by their names, SI.
 pub trait Given: Sized {

@@ -1,4 +1,4 @@
-//! What the program `work_precision` takes for near, and how it ends.
+//! Bounds, tables and pictures of the programs in `speed`.
 #![allow(clippy::unwrap_used, unreachable_pub, reason = "tests")]
 
 #[path = "../speed/src/work_precision/beside.rs"]

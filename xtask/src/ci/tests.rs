@@ -39,7 +39,7 @@ pub(super) fn all(ci: &mut Ci, place: &Place) -> Result {
     let of_packages = "cargo test --test no_std --test foreign --workspace --features";
     place.command(of_packages).args([FEATURES, "--no-run"]).run()?;
     let own = path.clone();
-    ci.begin("packages of tests", 0, move |place| {
+    ci.begin("package-tests", 0, move |place| {
         place.command(of_packages).arg(FEATURES).set("PATH", own).run()
     })?;
     place.command("cargo check --bins --benches --workspace --features").arg(FEATURES).run()?;
@@ -48,7 +48,7 @@ pub(super) fn all(ci: &mut Ci, place: &Place) -> Result {
     if !ci.join("robust")?.contains("1 passed") {
         return Err(format!("{DISTURBED} is no test of robust"));
     }
-    ci.join("packages of tests").map(|text| print!("{text}"))
+    ci.join("package-tests").map(|text| print!("{text}"))
 }
 
 /// The program of a test, as cargo's messages name it.

@@ -77,7 +77,7 @@ impl Linkage {
 }
 
 impl Dyad {
-    /// Where its bars meet.
+    /// The pin between its bars.
     fn pin(&self, a: Point, b: Point) -> Option<Point> {
         let ([ra, rb], [dx, dy]) = (self.bars, [b[0] - a[0], b[1] - a[1]]);
         let square = dx * dx + dy * dy;
@@ -164,7 +164,7 @@ fn at_once(draw: &mut Draw, crank: f64, off: f64) -> Linkage {
     Linkage { family: "at once", ground, crank: (0, crank), dyads, off }
 }
 
-/// The same four-bar two or three times on one crank.
+/// Two or three equal four-bars on one crank.
 fn copies(draw: &mut Draw, crank: f64, off: f64) -> Linkage {
     let far = draw.number(0.2, 0.5, &[0.4, 0.3]);
     let [first, second] = bars(draw);

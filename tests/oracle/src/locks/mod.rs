@@ -7,10 +7,9 @@ mod linkage;
 
 use std::f64::consts::TAU;
 
-use plm_dynamic::{Error, Mechanism};
-use plm_runtime::{
-    BodyState, Cause, Described as _, Dop853, Fault, Mechanism as _, Method, Moment as _, Rk4, Sim,
-};
+use plm_dynamic::{Error, Mechanism, Small};
+use plm_run::AnyMethod;
+use plm_runtime::{BodyState, Cause, Described as _, Dop853, Fault, Mechanism as _, Moment as _, Rk4};
 
 use self::linkage::{Linkage, Point};
 use crate::draw::Draw;
@@ -30,9 +29,6 @@ const FIXED: f64 = 1000.0;
 const ENERGY: [f64; 2] = [1e-5, 1e-2];
 /// Dyads that come so near to flat without being it, m, may go on by either branch.
 const TOUCHED: f64 = 1e-5;
-
-/// The mechanisms of at most eight bodies.
-type Small = plm_dynamic::Dynamic<f64, 24, 32, 64, 24>;
 
 /// The motion of a crank, rad and s.
 #[derive(Clone, Copy, Debug)]
@@ -141,30 +137,26 @@ struct Ended {
 }
 
 fn run(text: &str, motion: &Motion) -> Result<Ended, Error> {
-    let small = Mechanism::from_text(text)?.small()?;
-    if motion.fixed {
-        Ok(ended(small.start_with(Rk4::new(motion.end / FIXED))?, motion))
+    let method: AnyMethod<Small> = if motion.fixed {
+        Rk4::new(motion.end / FIXED).into()
     } else {
-        Ok(ended(small.start_with(Dop853::new(1e-9).with_most_steps(MOST_STEPS / 3))?, motion))
-    }
-}
-
-fn ended<I: Method<Small>>(mut sim: Sim<Small, I>, motion: &Motion) -> Ended {
-    let energy = |sim: &Sim<Small, I>| plm_dynamic::State::kinetic_energy(sim.state());
-    let begin = energy(&sim);
+        Dop853::new(1e-9).with_most_steps(MOST_STEPS / 3).into()
+    };
+    let mut sim = Mechanism::from_text(text)?.small()?.start_with(method)?;
+    let begin = sim.kinetic_energy();
     let count = (motion.end / motion.pace).round() as u64;
     let end = (1..=count).try_for_each(|k| sim.step_to(motion.end * k as f64 / count as f64));
     let stats = sim.stats();
     let mut bars = Vec::new();
     Small::poses(sim.state(), &mut |body: BodyState<f64>| bars.push([body.x, body.y, body.angle]));
-    Ended {
+    Ok(Ended {
         fault: end.err(),
         time: sim.state().time(),
         steps: stats.steps + stats.rejected,
         near: stats.near_singular,
-        energy: [begin, energy(&sim)],
+        energy: [begin, sim.kinetic_energy()],
         bars,
-    }
+    })
 }
 
 fn judged(linkage: &Linkage, motion: &Motion, text: &str) -> Verdict {
