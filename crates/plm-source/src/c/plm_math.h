@@ -16,7 +16,8 @@
 #pragma fp_contract (off)
 #endif
 
-#if !defined(__cplusplus) && FLT_EVAL_METHOD != 0
+/* 16 and 32 widen numbers of 16 bits alone (C23, annex H): processors with arithmetic of those have 16. */
+#if !defined(__cplusplus) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 && FLT_EVAL_METHOD != 32
 #error "plm: expressions must be evaluated in their own type (no x87)"
 #endif
 #ifdef __FAST_MATH__
