@@ -40,9 +40,16 @@ impl Resolver<'_> {
         let row = self.names.scopes[home].rows.get(key).map(|(row, _)| *row);
         let is_optional = self.names.is_optional(scope, key);
         let outside = self.names.instance(scope).is_some() && self.names.find(0, key).is_some();
+        let owner = self.owner_of_port(scope, key);
         let names: Vec<&str> = names.iter().map(String::as_str).collect_vec();
         let is_near = nearest(key, names.iter().copied()).is_some();
         let diagnostic = self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"));
+        if let Some(owner) = owner.filter(|_| !is_near) {
+            diagnostic.help(format!(
+                "`{key}` is a port of `{owner}`, which is `{owner}.{key}` in a motion; a point has a name by `let {key} = (…, …) m;`"
+            ));
+            return Failed;
+        }
         if let Some(row) = row {
             diagnostic.help(match row {
                 RowId::Constraint(_) => {
@@ -77,6 +84,17 @@ impl Resolver<'_> {
             help_similar(diagnostic, key, "name", "names here", &names);
         }
         Failed
+    }
+
+    /// The first body of the mechanism itself, or its ground, that has a port with this name.
+    fn owner_of_port(&self, scope: ScopeId, port: &str) -> Option<String> {
+        let model = &self.unresolved;
+        let bodies = model.bodies.iter().enumerate().map(|(number, body)| (Some(number), &body.name.text));
+        let ground = "ground".to_string();
+        let mut all = bodies.chain([(None, &ground)]);
+        let is_own = self.names.instance(scope).is_none();
+        let (_, owner) = all.find(|(body, _)| is_own && model.port_index(*body, port).is_some())?;
+        Some(owner.clone())
     }
 
     pub(crate) fn unknown_part(&mut self, scope: ScopeId, ast: &ast::Instance) {
