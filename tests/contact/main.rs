@@ -35,6 +35,7 @@ mod joints;
 mod loads;
 mod loops;
 mod machines;
+mod many_rows;
 mod mixed;
 mod painleve;
 mod pictures;

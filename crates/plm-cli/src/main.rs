@@ -4,6 +4,9 @@ use std::process::ExitCode;
 
 /// The exit code of what Ctrl+C ends at once, as of a shell.
 const INTERRUPTED: i32 = 130;
+/// Stack of the thread that works, bytes: runs of the largest mechanisms with contact keep several MB there, more than the first thread of a
+/// program has on Windows.
+const STACK: usize = 64 << 20;
 
 /// Counts what is allocated, so that a call of `plm mcp` has a limit: beyond it Rust ends the process.
 #[cfg(feature = "mcp")]
@@ -26,6 +29,13 @@ fn main() -> ExitCode {
             std::process::exit(INTERRUPTED);
         }
     });
+    match std::thread::Builder::new().stack_size(STACK).spawn(work) {
+        Ok(working) => working.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+        Err(_) => work(),
+    }
+}
+
+fn work() -> ExitCode {
     // Not locked: the language server reads and writes them in threads of its own.
     let (mut input, mut output, mut errors) = (std::io::stdin(), std::io::stdout(), std::io::stderr());
     let mut streams = plm_cli::Streams { input: &mut input, output: &mut output, errors: &mut errors };

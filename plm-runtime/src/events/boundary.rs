@@ -2,7 +2,7 @@
 //! the ends of steps to zeros of guards.
 
 use super::history::Reached;
-use super::relevant::bit;
+use super::marks::Marks;
 use super::rounding::{ULPS, rounding};
 use super::violated::not_met;
 use super::{guards, guards_here};
@@ -22,33 +22,34 @@ const MOST_AGAIN: u32 = 4;
 const MOVED: f64 = 1e-3;
 
 /// Conditions whose boundaries the state is on.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Boundary {
-    /// Conditions whose sides have been decided, one bit each: their guards are not checked again.
-    pub(super) decided: u64,
-    /// Conditions that have changed their sides, one bit each.
-    pub(super) switched: u64,
+    /// Conditions whose sides have been decided: their guards are not checked again.
+    pub(super) decided: Marks,
+    /// Conditions that have changed their sides.
+    pub(super) switched: Marks,
 }
 
-/// Decides the sides of the conditions whose boundaries the state is on, of the first 64, by the direction of the rate. During a run only
+/// Decides the sides of the conditions whose boundaries the state is on, by the direction of the rate. During a run only
 /// guards that are not positive are examined. A requirement that the rate leads away from is not satisfied.
 pub(super) fn decide<M: System<S: Real>>(
     context: &mut Context<'_, M>,
     here: &M::G,
     is_new: bool,
 ) -> Result<Boundary, Fault> {
-    let mut boundary = Boundary::default();
+    let mut boundary = Boundary { decided: Marks::NONE, switched: Marks::NONE };
     let has_band = |i: usize| context.system.band(i) > M::S::ZERO;
-    let asks = |i: usize| bit(i) != 0 && !has_band(i) && (is_new || here.at(i) <= M::S::ZERO);
-    let asked = (0..M::G::LEN).filter(|i| asks(*i)).fold(0, |asked, i| asked | bit(i));
-    if asked == 0 || !context.system.is_regular(&context.held) {
+    let asks = |i: usize| !has_band(i) && (is_new || here.at(i) <= M::S::ZERO);
+    let asked = (0..M::G::LEN).filter(|i| asks(*i));
+    let asked = Marks::of_all(asked);
+    if asked.is_empty() || !context.system.is_regular(&context.held) {
         return Ok(boundary);
     }
     let (time, x) = (context.time, context.x);
     let noise = rounding((context.system, &context.held), (time, time), &x, here);
     let ulps = M::S::lit(ULPS) * M::S::EPSILON * time.abs();
     let mut slopes = None;
-    for i in (0..M::G::LEN).filter(|i| asked & bit(*i) != 0) {
+    for i in (0..M::G::LEN).filter(|i| asked.has(*i)) {
         let size = here.at(i).abs();
         // The time of an event has rounding errors, in which the state may have gone on.
         let reach = |slope: M::S| noise.at(i) + ulps * slope.abs();
@@ -68,7 +69,7 @@ pub(super) fn decide<M: System<S: Real>>(
             continue;
         }
         if slope >= M::S::ZERO {
-            boundary.decided |= bit(i);
+            boundary.decided.put(i);
         } else if context.system.must_hold(i) {
             return Err(not_met(context, i, here));
         } else {
@@ -76,8 +77,8 @@ pub(super) fn decide<M: System<S: Real>>(
             context.system.switch(time, &mut context.held, &mut context.x, i)?;
             // If neither side leads away from the boundary, the value decides.
             if let Some(turned) = rates(context).filter(|turned| turned.at(i) > M::S::ZERO) {
-                boundary.decided |= bit(i);
-                boundary.switched |= bit(i);
+                boundary.decided.put(i);
+                boundary.switched.put(i);
                 slopes = Some(turned);
             } else {
                 (context.held, context.x) = before;

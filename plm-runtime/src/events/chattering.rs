@@ -1,7 +1,7 @@
 //! Chattering: conditions that switch repeatedly within a short window.
 
 use super::boundary::rates;
-use super::relevant::bit;
+use super::marks::{MOST_GUARDS, Marks};
 use super::rounding::rounding;
 use super::{guards, is_of_state};
 use crate::fault::{Cause, Fault, Names};
@@ -31,23 +31,23 @@ pub(super) struct Chattering<S> {
     /// Beginning of the window, s, and its number of switches.
     pub(super) since: S,
     pub(super) count: u32,
-    /// Conditions that take part, one bit each, of the first 56.
-    pub(super) conditions: u64,
+    /// Conditions that take part.
+    pub(super) conditions: Marks,
     /// True if the last of them threw its state back.
     pub(super) has_thrown: bool,
 }
 
 impl<S: Real> Chattering<S> {
     pub(super) fn new() -> Self {
-        Self { since: S::ZERO, count: 0, conditions: 0, has_thrown: false }
+        Self { since: S::ZERO, count: 0, conditions: Marks::NONE, has_thrown: false }
     }
 
-    /// Counts switches of `conditions`, one bit each, some of which may have `thrown` the state back. Too many in too short a time are a
+    /// Counts switches of `conditions`, some of which may have `thrown` the state back. Too many in too short a time are a
     /// fault of all that took part.
     pub(super) fn count<M: System<S = S>>(
         &mut self,
         context: &mut Context<'_, M>,
-        conditions: u64,
+        conditions: Marks,
         (switched, thrown): (u32, u32),
     ) -> Result<(), Fault> {
         let switched = switched + thrown;
@@ -60,30 +60,30 @@ impl<S: Real> Chattering<S> {
             return Ok(());
         }
         if is_over || time < self.since {
-            *self = Self { since: time, count: 0, conditions: 0, has_thrown: false };
+            *self = Self { since: time, count: 0, conditions: Marks::NONE, has_thrown: false };
         }
         let passes = self.has_thrown && switched > 0 && thrown == 0 && self.count >= FLIGHTS;
         let is_end = passes && self.is_unseen(context, conditions);
         self.count = self.count.saturating_add(switched);
-        self.conditions |= conditions;
+        self.conditions = self.conditions | conditions;
         self.has_thrown = thrown > 0;
         if self.count <= MOST_SWITCHES && !is_end {
             return Ok(());
         }
-        let marks: [bool; 64] = core::array::from_fn(|index| self.conditions & bit(index) != 0);
+        let marks: [bool; MOST_GUARDS] = core::array::from_fn(|index| self.conditions.has(index));
         let conditions = Names::marked(context.system.conditions(), &marks);
         let within = (time - self.since).to_f64();
         let cause = Cause::Zeno { events: self.count, within, conditions };
-        let first = (0..M::G::LEN).find(|index| self.conditions & bit(*index) != 0).unwrap_or(0);
+        let first = (0..M::G::LEN).find(|index| self.conditions.has(*index)).unwrap_or(0);
         Err(Fault::of_part(time.to_f64(), context.system.guard_name(first), cause))
     }
     /// True if the guard of one of some conditions has moved no farther than rounding, since the window began, on the way to each switch. A
     /// ball at the end of its bounces flies no higher than that, although the window may not be short.
-    fn is_unseen<M: System<S = S>>(&self, context: &mut Context<'_, M>, conditions: u64) -> bool {
+    fn is_unseen<M: System<S = S>>(&self, context: &mut Context<'_, M>, conditions: Marks) -> bool {
         let (time, x, elapsed) = (context.time, context.x, context.time - self.since);
         let longest = context.longest_step.max(context.end - self.since);
         let system = context.system;
-        let among = |i: &usize| conditions & bit(*i) != 0 && is_of_state(system, *i);
+        let among = |i: &usize| conditions.has(*i) && is_of_state(system, *i);
         if elapsed > S::lit(UNSEEN_FOR) * longest || self.count == 0 || !(0..M::G::LEN).any(|i| among(&i)) {
             return false;
         }

@@ -1,7 +1,8 @@
 //! Sign-definite enclosure: one interval evaluation of all guards and kinks over a step. Most steps need no other search.
 
 use super::kinks;
-use super::relevant::{Relevant, bit};
+use super::marks::Marks;
+use super::relevant::Relevant;
 use crate::enclosure::Enclosed;
 use crate::method::{Context, Path};
 use crate::scalar::{Real, Scalar};
@@ -23,8 +24,8 @@ pub(super) struct Enclosure {
 impl Enclosure {
     /// Enclosure without information: any condition may change its side.
     pub(super) fn unknown<M: System>(system: &M, held: &M::U) -> Self {
-        let kinks = Relevant::kinks(system, held, u64::MAX);
-        Self { guards: false, kinks, relevant: Relevant::of(system, held, u64::MAX) }
+        let kinks = Relevant::kinks(system, held, Marks::ALL);
+        Self { guards: false, kinks, relevant: Relevant::of(system, held, Marks::ALL) }
     }
 
     /// Enclosure by the ranges of all guards and kinks over a step with this dense output.
@@ -44,14 +45,16 @@ impl<S: Real, X: Vector<S>> Question<S> for Over<'_, S, X> {
         let (half, zero) = (N::S::lit(0.5), N::S::ZERO);
         let (time, x) = path.around(half, half);
         let (mut enclosure, mut moves, mut bends) =
-            (Enclosure { guards: true, kinks: 0, relevant: Relevant::ALL }, 0, 0);
+            (Enclosure { guards: true, kinks: 0, relevant: Relevant::ALL }, Marks::NONE, 0);
         let known = system.guards_within(time, held, &x, &mut |i, guard: Enclosed<N::S>| {
             let range = guard.range(half);
             // Comparisons with NaN are false.
             if i < N::G::LEN {
                 let stays = range.low >= -system.band(i);
                 enclosure.guards &= stays;
-                moves |= if stays { 0 } else { bit(i) };
+                if !stays {
+                    moves.put(i);
+                }
             } else {
                 let stays = range.low > zero || range.high <= zero;
                 bends |= if stays { 0 } else { kinks::bit(i - N::G::LEN).unwrap_or(0) };

@@ -1,7 +1,8 @@
 //! Guards over fixed steps: the time within one at which contact changes; other events do not end a step, and conditions that come and go
 //! within one are counted as missed.
 
-use super::relevant::{Relevant, bit};
+use super::marks::Marks;
+use super::relevant::Relevant;
 use super::root::{Point, root};
 use super::search::{Found, Search};
 use super::{Beginning, History};
@@ -108,7 +109,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         }
         let leaves = |index: usize| matches!(search.of_one(index).first(), Found::Crossing(..));
         let count = system.guard_count();
-        let all = (0..count).filter(|i| M::SELECTIVE && leaves(*i)).fold(0, |all, i| all | bit(i));
+        let all = Marks::of_all((0..count).filter(|i| M::SELECTIVE && leaves(*i)));
         let (relevant, mut missed) = (Relevant::of(system, &held, all), None);
         for index in (0..count).filter(|i| relevant.has(*i)) {
             let search = search.of_one(index);

@@ -19,6 +19,7 @@ mod here;
 mod history;
 mod jumps;
 mod kinks;
+mod marks;
 mod passing;
 mod piece;
 mod quartic;
@@ -43,7 +44,7 @@ use self::here::{guards, guards_here};
 use self::history::Reached;
 pub(crate) use self::history::{Beginning, History};
 pub(crate) use self::jumps::{at_a_jump, before_projection, hold};
-use self::relevant::bit;
+use self::marks::{MOST_GUARDS, Marks};
 pub use self::relevant::holds;
 pub(crate) use self::relevant::refresh;
 pub use self::sets::{Sets, begin, change, take_sides, with_velocities};
@@ -105,6 +106,12 @@ pub(crate) struct Detector<S, G> {
 
 impl<S: Real, G: Vector<S>> Detector<S, G> {
     pub(crate) fn new() -> Self {
+        const {
+            assert!(
+                G::LEN <= MOST_GUARDS,
+                "a mechanism has at most 256 guards: of conditions, and three of each row of contact"
+            )
+        };
         Self {
             modes: Modes::New,
             residual: G::fill(S::ZERO),
@@ -137,16 +144,16 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         let here = guards_here(context)?;
         let is_new = self.modes == Modes::New;
         let boundary = decide(context, &here, is_new)?;
-        if boundary.switched != 0 {
+        if !boundary.switched.is_empty() {
             method.restart();
-            let count = if is_new { 0 } else { boundary.switched.count_ones() };
+            let count = if is_new { 0 } else { boundary.switched.count() };
             self.chattering.count(context, boundary.switched, (count, 0))?;
         }
         self.switch_due(method, context, (Some(boundary), S::ZERO))?;
-        if boundary.decided != 0 {
+        if !boundary.decided.is_empty() {
             let here = guards_here(context)?;
             let own = |i: usize| {
-                if boundary.decided & bit(i) == 0 { self.residual.at(i) } else { here.at(i).min(S::ZERO) }
+                if boundary.decided.has(i) { here.at(i).min(S::ZERO) } else { self.residual.at(i) }
             };
             self.residual = G::from_fn(own);
         }
@@ -270,12 +277,12 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         }
         let (time, x) = (context.time, context.x);
         let changed = refresh(context.system, time, &mut context.held, &x);
-        if changed != 0 {
-            self.residual = G::from_fn(|i| if changed & bit(i) == 0 { self.residual.at(i) } else { S::ZERO });
+        if !changed.is_empty() {
+            self.residual = G::from_fn(|i| if changed.has(i) { S::ZERO } else { self.residual.at(i) });
         }
         // A condition that does not matter here has switched with the others.
         let Event::At(index) = event else { return Ok(()) };
-        if changed & bit(index) != 0 {
+        if changed.has(index) {
             return Ok(());
         }
         required(context, index)?;
@@ -297,7 +304,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         self.residual.set(index, here.at(index).min(S::ZERO));
         let before = core::mem::replace(&mut self.modes, Modes::Known);
         let switched = if matches!(before, Modes::New | Modes::Decided) { (0, 0) } else { (1, thrown) };
-        self.chattering.count(context, bit(index), switched)
+        self.chattering.count(context, Marks::of(index), switched)
     }
 
     /// Records that the state reached has these guards.
@@ -333,14 +340,13 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
         };
         let mut thrown = 0;
         if boundary.is_none() {
-            for index in (0..G::LEN).filter(|index| conditions & bit(*index) != 0) {
+            for index in (0..G::LEN).filter(|index| conditions.has(*index)) {
                 thrown += switch_back(context, index, &before)?;
             }
         }
         method.restart();
         let here = guards_here(context)?;
-        let own =
-            |i: usize| if conditions & bit(i) == 0 { self.residual.at(i) } else { here.at(i).min(S::ZERO) };
+        let own = |i: usize| if conditions.has(i) { here.at(i).min(S::ZERO) } else { self.residual.at(i) };
         self.residual = G::from_fn(own);
         self.chattering.count(context, conditions, (count, thrown))
     }

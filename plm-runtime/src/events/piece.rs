@@ -1,7 +1,7 @@
 //! An interval of a step: verdict on the guards, by their enclosures and by values.
 
+use super::marks::Marks;
 use super::quartic::{Curve, Near, VALUES, curve};
-use super::relevant::bit;
 use super::rounding::ULPS;
 use super::search::Search;
 use crate::enclosure::{Enclosed, Interval};
@@ -29,8 +29,8 @@ pub(super) enum Verdict<S> {
 pub(super) struct Depth {
     /// Halvings of the step.
     pub(super) level: u32,
-    /// Guards that stay on their edges there, one bit each.
-    pub(super) resting: u64,
+    /// Guards that stay on their edges there.
+    pub(super) resting: Marks,
     /// True if so many pieces of the step have been examined that values decide.
     pub(super) is_long: bool,
 }
@@ -51,7 +51,7 @@ impl<M: System<S: Real>> Search<'_, M> {
     /// Judges if every guard stays on its side over an interval, or leaves it once. Guards that are `resting` stay as long as they are not
     /// violated at its end.
     pub(super) fn judge(&self, piece: &Piece<M::S, M::G>, depth: Depth) -> Verdict<M::S> {
-        let (mut open, mut by_values, mut crossed) = (None, 0, false);
+        let (mut open, mut by_values, mut crossed) = (None, Marks::NONE, false);
         let ranges = self.ranges(piece, depth.level, |i, range, slope| {
             if !self.searches(i) || self.from.at(i) >= piece.to {
                 return;
@@ -65,7 +65,7 @@ impl<M: System<S: Real>> Search<'_, M> {
             let violated = edge - piece.noise.at(i);
             let stay = if piece.is_local { violated } else { edge };
             let (left, right) = (piece.left.at(i), piece.right.at(i));
-            if depth.resting & bit(i) != 0 && right >= violated {
+            if depth.resting.has(i) && right >= violated {
                 return;
             }
             let monotone = slope.low >= M::S::ZERO || slope.high <= M::S::ZERO;
@@ -74,8 +74,8 @@ impl<M: System<S: Real>> Search<'_, M> {
             }
             if right < violated && slope.high <= M::S::ZERO {
                 crossed = true;
-            } else if bit(i) != 0 && Self::is_told_by_values(piece, depth, (i, range, slope)) {
-                by_values |= bit(i);
+            } else if Self::is_told_by_values(piece, depth, (i, range, slope)) {
+                by_values.put(i);
             } else {
                 open = open.or(Some(i));
             }
@@ -86,7 +86,7 @@ impl<M: System<S: Real>> Search<'_, M> {
         if let Some(open) = open {
             return Verdict::Open(open);
         }
-        if by_values != 0 {
+        if !by_values.is_empty() {
             match self.by_values(piece, by_values, depth) {
                 Ok(leaves) => crossed |= leaves,
                 Err(open) => return Verdict::Open(open),
@@ -113,10 +113,10 @@ impl<M: System<S: Real>> Search<'_, M> {
         is_unknown || depth.is_long || bends <= M::S::lit(SMOOTH) * terms
     }
 
-    /// Judges these guards over an interval, one bit each: true if one of them leaves its side, an error with the first that is undecided.
+    /// Judges these guards over an interval: true if one of them leaves its side, an error with the first that is undecided.
     #[cold]
     #[inline(never)]
-    fn by_values(&self, piece: &Piece<M::S, M::G>, of: u64, depth: Depth) -> Result<bool, usize> {
+    fn by_values(&self, piece: &Piece<M::S, M::G>, of: Marks, depth: Depth) -> Result<bool, usize> {
         let part = M::S::lit(1.0 / (VALUES - 1) as f64) * (piece.to - piece.from);
         let all: [M::G; VALUES] = core::array::from_fn(|k| match k {
             0 => piece.left,
@@ -124,7 +124,7 @@ impl<M: System<S: Real>> Search<'_, M> {
             _ => self.values(M::S::lit(k as f64).mul_add(part, piece.from)),
         });
         let mut leaves = false;
-        for i in (0..M::G::LEN).filter(|i| of & bit(*i) != 0) {
+        for i in (0..M::G::LEN).filter(|i| of.has(*i)) {
             let (edge, noise) = (self.edge(i), piece.noise.at(i));
             // As above: a dip below the edge by no more than the rounding over the whole step may be real.
             let near = if piece.is_local || depth.is_long { Near::Rounding } else { Near::Unknown };
@@ -141,16 +141,16 @@ impl<M: System<S: Real>> Search<'_, M> {
     /// guards of a motion are nearly polynomials: six such conditions in a quarter of a step exclude anything between.
     #[cold]
     #[inline(never)]
-    pub(super) fn resting(&self, piece: &Piece<M::S, M::G>) -> u64 {
+    pub(super) fn resting(&self, piece: &Piece<M::S, M::G>) -> Marks {
         let middle = M::S::lit(0.5) * (piece.from + piece.to);
-        [piece.from, middle, piece.to].into_iter().fold(u64::MAX, |resting, theta| {
-            let mut here = 0;
+        [piece.from, middle, piece.to].into_iter().fold(Marks::ALL, |resting, theta| {
+            let mut here = Marks::NONE;
             let (time, x) = self.path.around(theta, M::S::ZERO);
             self.system.guards_within(time, &self.held, &x, &mut |i, guard: Enclosed<M::S>| {
                 if i < M::G::LEN {
                     let (noise, away) = (piece.noise.at(i), guard.middle - self.edge(i));
                     if away.abs() <= noise && guard.slope.size() <= noise {
-                        here |= bit(i);
+                        here.put(i);
                     }
                 }
             });

@@ -1,6 +1,7 @@
 //! Relevant conditions: those whose modes the rate can read, given the modes that the others can have.
 
 use super::guards;
+use super::marks::Marks;
 use super::violated::is_violated;
 use crate::scalar::Real;
 use crate::system::System;
@@ -9,55 +10,55 @@ use crate::vector::Vector;
 /// Words of 64 bits for the nodes of a decision diagram that are followed.
 const WORDS: usize = 32;
 
-/// Conditions, one bit each; for systems that select some, which have at most 64.
+/// Conditions that matter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Relevant(u64);
+pub(super) struct Relevant(Marks);
 
 impl Relevant {
     /// All conditions, of any number.
-    pub(super) const ALL: Self = Self(u64::MAX);
+    pub(super) const ALL: Self = Self(Marks::ALL);
 
-    /// Conditions that matter as long as only conditions with a bit in `unknown` change their sides.
-    pub(super) fn of<M: System>(system: &M, held: &M::U, unknown: u64) -> Self {
+    /// Conditions that matter as long as only conditions that are `unknown` change their sides.
+    pub(super) fn of<M: System>(system: &M, held: &M::U, unknown: Marks) -> Self {
         if !M::SELECTIVE {
             return Self::ALL;
         }
-        let matter = (0..M::G::LEN).filter(|i| system.matters(held, *i, unknown & !bit(*i)));
-        Self(matter.fold(0, |bits, i| bits | bit(i)))
+        let others = |i: usize| (unknown & !Marks::of(i)).first();
+        Self(Marks::of_all((0..M::G::LEN).filter(|i| system.matters(held, *i, others(*i)))))
     }
 
-    /// Kinks that matter, one bit each, as long as only conditions with a bit in `unknown` change their sides. Kinks are counted
+    /// Kinks that matter, one bit each, as long as only conditions that are `unknown` change their sides. Kinks are counted
     /// after the conditions; those after the first 128 are left to error control.
-    pub(super) fn kinks<M: System>(system: &M, held: &M::U, unknown: u64) -> u128 {
+    pub(super) fn kinks<M: System>(system: &M, held: &M::U, unknown: Marks) -> u128 {
         if !M::SELECTIVE {
             return u128::MAX;
         }
-        let matter =
-            (0..system.kink_count().min(128)).filter(|k| system.matters(held, M::G::LEN + k, unknown));
+        let matter = (0..system.kink_count().min(128))
+            .filter(|k| system.matters(held, M::G::LEN + k, unknown.first()));
         matter.fold(0, |bits, k| bits | 1 << k)
     }
 
     /// True if this condition is among them.
     #[inline]
     pub(super) fn has(self, index: usize) -> bool {
-        self == Self::ALL || self.0 & bit(index) != 0
+        self.0.has(index)
     }
 
-    /// True if none of them has a bit in `unknown`.
-    pub(super) fn is_apart(self, unknown: u64) -> bool {
-        self.0 & unknown == 0
+    /// True if none of them is `unknown`.
+    pub(super) fn is_apart(self, unknown: Marks) -> bool {
+        (self.0 & unknown).is_empty()
     }
 }
 
-/// Bit of a condition.
+/// Bit of a side, or of a node in its word.
 #[inline]
-pub(super) fn bit(index: usize) -> u64 {
+fn bit(index: usize) -> u64 {
     u32::try_from(index).ok().and_then(|index| 1_u64.checked_shl(index)).unwrap_or(0)
 }
 
-/// Updates the sides of the conditions that do not matter at a state; returns those that have changed, one bit each.
-pub(crate) fn refresh<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: &M::X) -> u64 {
-    let mut changed = 0;
+/// Updates the sides of the conditions that do not matter at a state; returns those that have changed.
+pub(crate) fn refresh<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: &M::X) -> Marks {
+    let mut changed = Marks::NONE;
     if !M::SELECTIVE || (0..M::G::LEN).all(|i| system.matters(u, i, 0)) {
         return changed;
     }
@@ -65,8 +66,12 @@ pub(crate) fn refresh<M: System<S: Real>>(system: &M, t: M::S, u: &mut M::U, x: 
     // A condition that does not matter resets nothing.
     let mut x = *x;
     for i in 0..M::G::LEN {
-        if is_violated(system, &here, i) && !system.must_hold(i) && !system.matters(u, i, 0) {
-            changed |= if system.switch(t, u, &mut x, i).is_ok() { bit(i) } else { 0 };
+        if is_violated(system, &here, i)
+            && !system.must_hold(i)
+            && !system.matters(u, i, 0)
+            && system.switch(t, u, &mut x, i).is_ok()
+        {
+            changed.put(i);
         }
     }
     changed

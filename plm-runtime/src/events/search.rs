@@ -5,8 +5,9 @@
 //! at a fraction of the step, [`FINEST`], that is shorter than any event that is guaranteed to be found. In short pieces a guard whose
 //! enclosure shows that it is smooth is judged by its values too (`piece`).
 
+use super::marks::Marks;
 use super::piece::{Depth, MANY, Piece, Verdict};
-use super::relevant::{Relevant, bit};
+use super::relevant::Relevant;
 use super::root::{Point, root};
 use super::rounding::rounding;
 use crate::enclosure::{Enclosed, Interval};
@@ -150,7 +151,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         let half = M::S::lit(0.5);
         let (mut level, mut index, mut width, mut spent) = (0_u32, 0_u32, M::S::lit(1.0), 0_u32);
         let (mut from, mut left, mut noise) = (M::S::ZERO, self.first, self.noise);
-        let (mut resting, mut undecided) = (0, 0);
+        let (mut resting, mut undecided) = (Marks::NONE, 0);
         // By halvings: the end of the last interval, and its guards.
         let mut ends: [(M::S, M::G); REMEMBERED] = [(M::S::ZERO, self.first); REMEMBERED];
         loop {
@@ -163,13 +164,13 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
             let piece = Piece { from, to, left, right, is_local, noise };
             spent += 1;
             if level <= ROUGHEST {
-                resting = 0;
+                resting = Marks::NONE;
             }
             let depth = Depth { level, resting, is_long: spent > MANY };
             let mut verdict = self.judge(&piece, depth);
             if level == ROUGHEST && matches!(verdict, Verdict::Open(_)) {
                 resting = self.resting(&piece);
-                if resting != 0 {
+                if !resting.is_empty() {
                     verdict = self.judge(&piece, Depth { resting, ..depth });
                 }
             }
@@ -253,10 +254,10 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         let half = M::S::lit(0.5);
         let (middle, radius) = (half * (piece.from + piece.to), half * (piece.to - piece.from));
         let (time, x) = self.path.around(middle, radius);
-        let mut given = 0;
+        let mut given = Marks::NONE;
         let known = self.system.guards_within(time, &self.held, &x, &mut |i, guard: Enclosed<M::S>| {
             if i < M::G::LEN {
-                given |= bit(i);
+                given.put(i);
                 each(i, guard.range(radius), guard.slope);
             }
         });
@@ -266,7 +267,7 @@ impl<'a, M: System<S: Real>> Search<'a, M> {
         // By the parabola through three points, if the guard is far from its edge relative to its variation, or nearly straight: a force
         // that swings while nothing moves may go through more than one period in a step.
         let between = self.values(middle);
-        for i in (0..M::G::LEN).filter(|i| given & bit(*i) == 0) {
+        for i in (0..M::G::LEN).filter(|i| !given.has(*i)) {
             let (a, b, c) = (piece.left.at(i), between.at(i), piece.right.at(i));
             let (lean, bend) = (half * (c - a), a + c - (b + b));
             let dip = if lean.abs() < bend { half * lean * lean / bend } else { M::S::ZERO };

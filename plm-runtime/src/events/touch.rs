@@ -2,7 +2,8 @@
 //! sides have nothing in common. Runs with derivatives end there.
 
 use super::guards;
-use super::relevant::{Relevant, bit};
+use super::marks::Marks;
+use super::relevant::Relevant;
 use super::root::{Point, root};
 use super::rounding::{ULPS, rounding};
 use crate::fault::{Cause, Fault};
@@ -60,7 +61,7 @@ impl<S: Real, X: Vector<S>, G: Vector<S>> Question<S> for Touched<'_, S, X, G> {
         let over = Over { system, held, path: self.path.in_values(), tolerance: value(tolerance) };
         let has_none = |i: usize| relevant.has(i) && residual.at(i) >= S::ZERO;
         let turns = over.slopes(N::S::ZERO, true) & over.slopes(N::S::lit(1.0), false);
-        let mut indices = (0..N::G::LEN).filter(|i| turns & bit(*i) != 0 && has_none(*i));
+        let mut indices = (0..N::G::LEN).filter(|i| turns.has(*i) && has_none(*i));
         indices.find_map(|i| over.touched(i).map(|theta| (i, value(theta))))
     }
 }
@@ -74,12 +75,14 @@ struct Over<'a, N: System> {
 }
 
 impl<N: System<S: Real>> Over<'_, N> {
-    /// Satisfied conditions that approach their boundaries, or move away from them, one bit each.
-    fn slopes(&self, theta: N::S, nearer: bool) -> u64 {
-        let mut found = 0;
+    /// Satisfied conditions that approach their boundaries, or move away from them.
+    fn slopes(&self, theta: N::S, nearer: bool) -> Marks {
+        let mut found = Marks::NONE;
         self.each(theta, |i, [guard, slope]| {
             let is_right = if nearer { slope < N::S::ZERO } else { slope >= N::S::ZERO };
-            found |= if guard > N::S::ZERO && is_right { bit(i) } else { 0 };
+            if guard > N::S::ZERO && is_right {
+                found.put(i);
+            }
         });
         found
     }

@@ -1,7 +1,8 @@
 //! Events of conditions whose guards are violated at a state.
 
 use super::boundary::Boundary;
-use super::relevant::{bit, refresh};
+use super::marks::Marks;
+use super::relevant::refresh;
 use super::{Timed, derive_time, guards, guards_here, hold, restore_time};
 use crate::contact;
 use crate::fault::{Cause, Fault};
@@ -36,17 +37,17 @@ pub fn switch_where_due<M: System<S: Real>>(
 ///
 /// After a step of fixed length a point penetrates by its motion since it struck. A condition that would make another row begin below its
 /// surface there, as that of the riser of a stair, does not switch: the row that was struck leads the point out again. These conditions
-/// are returned, one bit each.
+/// are returned.
 pub(crate) fn switch_each<M: System<S: Real>>(
     (system, mut edges, within): (&M, M::G, M::S),
     known: Option<&M::G>,
     (t, u, x): (M::S, &mut M::U, &mut M::X),
     mut each: impl FnMut(usize),
-) -> Result<u64, Fault> {
+) -> Result<Marks, Fault> {
     let changed = refresh(system, t, u, x);
-    let mut here = known.filter(|_| changed == 0).map_or_else(|| guards(system, t, u, x), |here| *here);
+    let mut here = known.filter(|_| changed.is_empty()).map_or_else(|| guards(system, t, u, x), |here| *here);
     let rows = system.guard_count().saturating_sub(guards_of_contact(system));
-    let mut left = 0;
+    let mut left = Marks::NONE;
     for _ in 0..=M::G::LEN {
         let mut any = false;
         for i in 0..M::G::LEN {
@@ -58,7 +59,7 @@ pub(crate) fn switch_each<M: System<S: Real>>(
                     {
                         (*u, *x) = before;
                         edges.set(i, here.at(i));
-                        left |= bit(i);
+                        left.put(i);
                         continue;
                     }
                     outcome => outcome?,
@@ -108,8 +109,8 @@ pub(super) fn is_below<M: System<S: Real>>(system: &M, g: &M::G, edges: &M::G, i
 
 /// Conditions that have switched.
 pub(super) struct Switched {
-    /// One bit for each condition, including those that were left beyond their guards.
-    pub(super) conditions: u64,
+    /// They, and those that were left beyond their guards.
+    pub(super) conditions: Marks,
     /// Number of switches.
     pub(super) count: u32,
 }
@@ -123,8 +124,8 @@ pub(super) fn switch_violated<M: System<S: Real>>(
     (boundary, residual): (Option<Boundary>, M::G),
     within: M::S,
 ) -> Result<Option<Switched>, Fault> {
-    let decided = boundary.map_or(0, |boundary| boundary.decided);
-    let edge = |i: usize| if decided & bit(i) == 0 { residual.at(i) } else { -M::S::INFINITY };
+    let decided = boundary.map_or(Marks::NONE, |boundary| boundary.decided);
+    let edge = |i: usize| if decided.has(i) { -M::S::INFINITY } else { residual.at(i) };
     let edges = M::G::from_fn(edge);
     let mut first = None;
     for index in 0..M::G::LEN {
@@ -147,13 +148,13 @@ pub(super) fn switch_violated<M: System<S: Real>>(
         },
     };
     let (mut after, mut x) = (context.held, context.x);
-    let mut switched = Switched { conditions: 0, count: 0 };
+    let mut switched = Switched { conditions: Marks::NONE, count: 0 };
     let moment = (context.time, &mut after, &mut x);
     let left = switch_each((context.system, edges, within), Some(here), moment, |index| {
-        switched.conditions |= bit(index);
+        switched.conditions.put(index);
         switched.count += 1;
     })?;
-    switched.conditions |= left;
+    switched.conditions = switched.conditions | left;
     if boundary.is_none() {
         hold(context, after)?;
     }

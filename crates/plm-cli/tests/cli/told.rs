@@ -198,11 +198,11 @@ fn a_fault_of_conditions_has_the_line_that_they_stand_in() {
     assert!(said.errors.ends_with(&place), "{}", said.errors);
 }
 
-/// A wheel of seven spokes has fourteen rows, and twelve have room in a run of a text.
+/// A wheel of seventeen spokes has 34 rows, and 32 have room in a run of a text.
 #[test]
 fn what_has_no_room_is_told_with_its_place() {
-    let corners: Vec<String> = (0..7)
-        .map(|k| (f64::from(k) * core::f64::consts::TAU / 7.0).sin_cos())
+    let corners: Vec<String> = (0..17)
+        .map(|k| (f64::from(k) * core::f64::consts::TAU / 17.0).sin_cos())
         .map(|(sin, cos)| format!("({cos:.6}, {sin:.6})"))
         .collect();
     let text = format!(
@@ -215,7 +215,7 @@ fn what_has_no_room_is_told_with_its_place() {
     assert_eq!((check.code, run.code), (0, 1), "{check:?}\n{run:?}");
     for (said, severity) in [(check, "warning"), (run, "plm")] {
         for told in [
-            "14 rows of contact, and a run of a text has room for 12: `feet.",
+            "34 rows of contact, and a run of a text has room for 32: `feet.",
             "--> <stdin>:4:21",
             "= help: fewer of them",
         ] {

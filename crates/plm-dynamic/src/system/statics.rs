@@ -4,7 +4,6 @@ use plm_runtime::system::Events;
 use plm_runtime::{Absolute, BodyStart, Fault, Real, Statics, absolute, turns};
 
 use super::State;
-use crate::capacity::ROWS;
 use crate::handle::{Beside, Dynamic, Frame, Held, Starts};
 use crate::places::Room;
 
@@ -96,10 +95,11 @@ impl<
     ) {
         let (x, lowered) = (self.spread(x), &self.model.lowered);
         let (mut force, mut x_dot) = ([S::ZERO; NQ], [S::ZERO; N]);
-        let (mut gap, mut limit) = ([S::ZERO; R], [S::ZERO; 2 * ROWS]);
+        let (mut gap, mut limit) = ([S::ZERO; R], [[S::ZERO; R]; 2]);
         let beside = Beside { lambda, ..Beside::NONE };
         let frame = Frame { beside: Some(&beside), ..Frame::of_state(t, u, &x) };
-        self.run(&self.model.absolute.at_rest, &frame, [&mut force, &mut x_dot, &mut gap, &mut limit]);
+        let limit = limit.as_flattened_mut();
+        self.run(&self.model.absolute.at_rest, &frame, [&mut force, &mut x_dot, &mut gap, limit]);
         let (q, v): ([S; NQ], [S; NQ]) = absolute::split(&x);
         let (nq, nc) = (lowered.coordinates.len(), lowered.rows.len());
         let balance = absolute::balance::<S, Self, NQ, NC>(self, t, &q, lambda, &force);
@@ -108,7 +108,7 @@ impl<
         self.phi_dot(t, &q, &v).into_iter().take(nc).for_each(&mut *each);
         x_dot.into_iter().take(lowered.states.len()).for_each(&mut *each);
         let contacts = self.contact_count();
-        gap.into_iter().take(contacts).chain(limit.into_iter().take(2 * contacts)).for_each(each);
+        gap.into_iter().take(contacts).chain(limit.iter().copied().take(2 * contacts)).for_each(each);
     }
 
     fn multipliers(held: &mut Held<S, NQ, L, H, R>) -> &mut [S] {

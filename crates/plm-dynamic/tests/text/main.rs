@@ -221,10 +221,10 @@ fn contacts_and_events_run() {
 #[test]
 fn what_there_is_no_room_for_is_named() {
     let rows = |k: usize| format!("unilateral floor{k}: ball.y >= 0 m;");
-    let rows: String = (0..30).map(rows).collect();
+    let rows: String = (0..40).map(rows).collect();
     let ball = format!("pub Ball {{ body ball {{ mass: 1 kg; inertia: 1 kg*m^2; start y: 1 m; }} {rows} }}");
     let error = Mechanism::from_text(&ball).unwrap_err();
-    let expected = "30 rows of contact, and a run of a text has room for 12: `floor12` is the first without";
+    let expected = "40 rows of contact, and a run of a text has room for 32: `floor32` is the first without";
     assert_eq!(error.to_string(), expected);
 }
 
