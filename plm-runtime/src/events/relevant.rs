@@ -11,7 +11,7 @@ use crate::vector::Vector;
 const WORDS: usize = 32;
 
 /// Conditions that matter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Relevant(Marks);
 
 impl Relevant {
