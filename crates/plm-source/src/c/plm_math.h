@@ -8,11 +8,6 @@
 typedef int int32_t;
 typedef unsigned int uint32_t;
 typedef unsigned long long uint64_t;
-#define FLT_MANT_DIG 24
-#define DBL_MANT_DIG 53
-#ifndef NULL
-#define NULL 0
-#endif
 #else
 #include <float.h>
 #include <stdint.h>
@@ -63,14 +58,18 @@ typedef uint32_t plm_bits;
 #define PLM_DIGITS 24
 #define PLM_MAX_EXP 128
 #define PLM_C(x) ((plm_real)x##F)
+#ifndef __CUDACC_RTC__
 typedef char plm_check_real[(FLT_MANT_DIG == 24) ? 1 : -1];
+#endif
 #else
 typedef double plm_real;
 typedef uint64_t plm_bits;
 #define PLM_DIGITS 53
 #define PLM_MAX_EXP 1024
 #define PLM_C(x) ((plm_real)x)
+#ifndef __CUDACC_RTC__
 typedef char plm_check_real[(DBL_MANT_DIG == 53) ? 1 : -1];
+#endif
 #endif
 
 typedef struct { plm_real sine; plm_real cosine; } plm_pair;

@@ -16,7 +16,7 @@ const BATCH: &str = include_str!("batch.c.txt");
 const RUN: &str = include_str!("run.c.txt");
 
 /// The qualifier of a device, for who includes the header alone.
-const DEVICE: &str = "#ifndef __CUDACC_RTC__\n#include <stddef.h>\n#include <stdint.h>\n#endif\n\n#ifndef PLM_DEVICE\n#ifdef __CUDACC__\n\
+const DEVICE: &str = "#ifndef __CUDACC_RTC__\n#include <stddef.h>\n#include <stdint.h>\n#elif !defined(NULL)\n#define NULL 0\n#endif\n\n#ifndef PLM_DEVICE\n#ifdef __CUDACC__\n\
     #define PLM_DEVICE __device__\n#else\n#define PLM_DEVICE\n#endif\n#endif\n";
 const INCLUDES: &str = "#include <stddef.h>\n#include <stdint.h>\n";
 
