@@ -52,6 +52,7 @@
 //! |---|---|
 //! | `std` | on unless switched off: square roots by the processor, [`read_starts`], [`live`]; the bits of results are the same without |
 //! | `analysis` | [`linearise`], [`stabilise`], and [`StartAuto`], which chooses a method by eigenvalues |
+//! | `c-source` | `view::c_source`: C99 of a mechanism for compilers of any target; `--c-source FOLDER` of programs |
 //! | `dynamic` | [`dynamic`]: mechanisms from text, run without rustc |
 //! | `jit` | [`jit`]: machine code of the host for them (unsafe code, in `plm-jit`) |
 //! | `optimise` | [`optimise`]: parameters and start values from measurements, inputs of least cost |

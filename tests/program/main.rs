@@ -138,3 +138,44 @@ fn an_input_that_is_not_there_is_told_with_those_that_are() {
     let error = Program::new(Mass::new()).with(&options(&folder, &["--input", "forces=3"])).unwrap_err();
     assert_eq!(error.to_string(), "there is no input `forces`; is `force` meant? there are force (kN)");
 }
+
+/// The same folder and text as of the declaration by itself, with parameters and start values set.
+#[test]
+fn a_c_source_has_the_numbers_of_the_mechanism() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program-c-source");
+    let words = ["--c-source", folder.to_str().unwrap(), "--set", "load=3", "--set", "stretch=120"];
+    Program::new(Mass::new()).with(&Options::parse(words).unwrap()).unwrap();
+    let source = std::fs::read_to_string(folder.join("mass.c")).unwrap();
+    let mut text = plm::dynamic::Mechanism::from_text(<Mass as plm::Described>::DECLARATION).unwrap();
+    text.set_parameter("load", 3.0).unwrap();
+    text.set_parameter("stretch", 0.12).unwrap();
+    // The start is made of the parameter, and stands in the source as a constant.
+    let start = text.steps().unwrap().numbers();
+    assert_eq!((start.x[0].abs(), start.parameters[0]), (0.12, 3.0));
+    assert!(source.contains("self->parameter[0] = PLM_C(3.0);"), "{source}");
+    assert!(source.contains("PLM_C(0x1.eb851eb851eb8p-4)"), "{source}");
+    // One that was set by hand does not follow it; the rail goes from the mass to the ground.
+    let mut by_hand = Mass::new();
+    by_hand.start.mass.x.value = 0.25;
+    let written = plm::view::c_source(&by_hand, plm::view::Precision::Single, &folder).unwrap();
+    assert_eq!(
+        written.iter().map(|path| path.file_name().unwrap()).collect::<Vec<_>>(),
+        ["mass.h", "mass.c", "plm_math.h"]
+    );
+    let source = std::fs::read_to_string(&written[1]).unwrap();
+    assert!(
+        source.contains("#define PLM_SINGLE 1") && source.contains("self->x[0] = (-PLM_C(0x1p-2));"),
+        "{source}"
+    );
+    for (words, why) in [
+        (
+            ["--c-source", "c", "--until", "1"].as_slice(),
+            "--c-source writes source and runs nothing: without --until",
+        ),
+        (&["--c-source", "c", "--fmu", "a.fmu"], "without --fmu"),
+        (&["--single"], "with --c-source"),
+    ] {
+        let said = Options::parse(words).unwrap_err().to_string();
+        assert!(said.contains(why), "{said}");
+    }
+}

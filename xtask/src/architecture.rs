@@ -26,22 +26,22 @@ const PLACES: [Place; 19] = [
     place("plm-planar", "plm, the users' crate", 620, 0),
     place("plm-cli", "the command line", 236, 0),
     place("plm-jit", "machine code", 506, 1),
-    place("plm-source", "C99", 370, 1),
+    place("plm-source", "C99", 370, 2),
     place("plm-draw", "gestures as edits", 84, 2),
     place("plm-macros", "the macros", 84, 1),
-    place("plm-dynamic", "mechanisms from text", 512, 2),
-    place("plm-import", "files of others", 146, 2),
+    place("plm-dynamic", "mechanisms from text", 512, 3),
+    place("plm-import", "files of others", 150, 3),
     place("plm-program", "whole programs", 712, 1),
-    place("plm-compiler", "declaration to code", 84, 3),
+    place("plm-compiler", "declaration to code", 84, 4),
     place("plm-python", "runs for Python", 840, 2),
-    place("plm-studies", "fits, dimensions", 234, 3),
-    place("plm-cas", "symbolic algebra", 128, 4),
-    place("plm-run", "methods by name", 700, 3),
-    place("plm-foreign", "C and FMUs", 830, 4),
-    place("plm-view", "results, the page", 552, 4),
-    place("plm-runtime", "contracts, the step", 622, 5),
-    place("plm-math", "sin, sqrt and kin", 400, 6),
-    place("plm-processor", "square roots", 400, 7),
+    place("plm-studies", "fits, dimensions", 234, 4),
+    place("plm-cas", "symbolic algebra", 128, 5),
+    place("plm-run", "methods by name", 700, 4),
+    place("plm-foreign", "C and FMUs", 830, 5),
+    place("plm-view", "results, the page", 552, 5),
+    place("plm-runtime", "contracts, the step", 622, 6),
+    place("plm-math", "sin, sqrt and kin", 400, 7),
+    place("plm-processor", "square roots", 400, 8),
 ];
 
 /// Crates that do chores of the repository.
@@ -71,7 +71,7 @@ const BOX_WIDTH: i32 = 136;
 const BOX_HEIGHT: i32 = 46;
 /// The top of the first layer, and the distance of layers.
 const TOP: i32 = 80;
-const PITCH: i32 = 78;
+const PITCH: i32 = 70;
 /// The tops of the two rows below the crates.
 const PASSES_TOP: i32 = 746;
 const STEP_TOP: i32 = 878;

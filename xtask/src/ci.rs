@@ -111,8 +111,8 @@ const MORE: &[Step] = &[
     Step::Here(plain("random-declarations", "bits of random declarations", |place| {
         place.command("cargo run -p plm-oracle --bin random_declarations -- 100").run()
     })),
-    Step::Here(plain("neighbours", "MATLAB, ROS 2 and Arduino", |place| {
-        ["matlab", "ros2", "arduino"]
+    Step::Here(plain("neighbours", "MATLAB, ROS 2, Arduino, CUDA and recipes without Rust", |place| {
+        ["matlab", "ros2", "arduino", "cuda", "without_rust"]
             .iter()
             .try_for_each(|name| place.command("bash").arg(format!("tests/{name}.sh")).run())
     })),

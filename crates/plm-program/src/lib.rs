@@ -2,6 +2,8 @@
 //!
 //! `plm::view` is this crate.
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 mod arguments;
 mod foreign;
 mod library;
@@ -10,6 +12,8 @@ mod options;
 mod program;
 mod server;
 mod sketch;
+#[cfg(feature = "c-source")]
+mod source;
 
 pub use plm_foreign::fmi::Version;
 pub use plm_view::*;
@@ -20,6 +24,10 @@ pub use library::Library;
 pub use options::{Options, Table};
 pub use plm_python::wheel::wheel;
 pub use plm_run::{BadOption, Integrator};
+#[cfg(feature = "c-source")]
+pub use plm_source::Precision;
 pub use program::{Program, run, write};
 pub use server::Server;
 pub use sketch::sketch;
+#[cfg(feature = "c-source")]
+pub use source::c_source;

@@ -1,16 +1,19 @@
 //! The options that programs over a mechanism have in common.
 
+mod values;
+
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::str::FromStr;
 
 use plm_foreign::By;
 use plm_foreign::fmi::Version;
-use plm_run::{BadOption, Integrator, METHODS, nearest, unknown};
+use plm_run::{BadOption, Integrator, METHODS, nearest};
 use plm_runtime::described::{Quantity, by_number};
 use plm_runtime::{AsMoment, Described, Method, Moment, Sim, Statics};
 use plm_view::Recorder;
 
+use self::values::{methods, port_of, settings, time, version_of};
 use super::arguments::{Arguments, Known};
 
 /// Options of the command line.
@@ -47,6 +50,12 @@ pub struct Options {
     pub target: Option<String>,
     /// `--methods NAMES`: by which methods a mechanism runs in that library, the usual one first; none for that of every library.
     pub methods: Vec<By>,
+    /// `--c-source FOLDER`: its C source, with the parameters that are set.
+    #[cfg(feature = "c-source")]
+    pub c_source: Option<PathBuf>,
+    /// `--single`: numbers of 32 bits in it.
+    #[cfg(feature = "c-source")]
+    pub single: bool,
     /// `--fmu FILE`: an FMU of the mechanism.
     pub fmu: Option<PathBuf>,
     /// `--fmi 2` or `3`: the version that it is for.
@@ -110,6 +119,17 @@ const USUAL: [Known; 17] = [
     Known::value("method", "NAME[:NUMBER]", METHODS),
 ];
 
+/// Those of C source.
+#[cfg(feature = "c-source")]
+const OF_SOURCE: [Known; 2] = [
+    Known::value(
+        "c-source",
+        "FOLDER",
+        "its C source, for compilers of any target, with the parameters that are set",
+    ),
+    Known::flag("single", "of --c-source: numbers of 32 bits"),
+];
+
 /// The options that a program knows.
 #[derive(Clone, Debug)]
 pub struct Table(Vec<Known>);
@@ -163,6 +183,9 @@ impl Options {
 
     /// The table of the usual options, for a program that has others too, or has no use for some.
     pub fn table() -> Table {
+        #[cfg(feature = "c-source")]
+        return Table([USUAL.as_slice(), &OF_SOURCE].concat());
+        #[cfg(not(feature = "c-source"))]
         Table(USUAL.to_vec())
     }
 
@@ -179,6 +202,10 @@ impl Options {
             c: path("c"),
             target: given.text("target")?,
             methods: methods(given.text("methods")?.as_deref())?,
+            #[cfg(feature = "c-source")]
+            c_source: path("c-source"),
+            #[cfg(feature = "c-source")]
+            single: given.flag("single"),
             fmu: path("fmu"),
             fmi: given.text("fmi")?.map_or(Ok(Version::default()), |word| version_of(&word))?,
             python: path("python"),
@@ -208,6 +235,17 @@ impl Options {
             return Err(BadOption::new(format!(
                 "--{built} writes the mechanism as declared and runs nothing: without --{name}"
             )));
+        }
+        let run = run.filter(|name| *name != "set");
+        if let (true, Some(name)) =
+            (self.own.flag("c-source"), run.or_else(|| among(&["c", "fmu", "python"])))
+        {
+            return Err(BadOption::new(format!(
+                "--c-source writes source and runs nothing: without --{name}"
+            )));
+        }
+        if self.own.flag("single") && !self.own.flag("c-source") {
+            return Err(BadOption::new("--single says what numbers --c-source FOLDER has: with --c-source"));
         }
         if self.own.flag("fmi") && self.fmu.is_none() {
             return Err(BadOption::new("--fmi says which version --fmu FILE is for: with --fmu"));
@@ -262,15 +300,6 @@ fn in_si(value: f64, factor: f64) -> f64 {
     if parts > 1.0 && 1.0 / parts == factor { value / parts } else { value * factor }
 }
 
-/// Methods by their names.
-fn methods(text: Option<&str>) -> Result<Vec<By>, BadOption> {
-    let named = |name: &str| {
-        let known = By::ALL.into_iter().find(|by| by.called().rust.eq_ignore_ascii_case(name));
-        known.ok_or_else(|| unknown(name))
-    };
-    text.iter().flat_map(|text| text.split(',')).map(|name| named(name.trim())).collect()
-}
-
 /// The number of a quantity by its name, and its factor to SI.
 fn find(what: &str, name: &str, quantities: &[Quantity]) -> Result<(usize, f64), BadOption> {
     let found = quantities.iter().enumerate().find(|(_, quantity)| quantity.name == name);
@@ -298,41 +327,6 @@ pub(super) fn quantities_of<M: Described>(of: &M) -> String {
     let lines: Vec<String> =
         some.map(|(what, quantities)| format!("\n{what}: {}", known(quantities))).collect();
     lines.concat()
-}
-
-/// A positive time, s.
-fn time(name: &str, given: &Arguments) -> Result<Option<f64>, BadOption> {
-    let Some(word) = given.text(name)? else { return Ok(None) };
-    let time = word.parse().ok().filter(|time| *time > 0.0 && f64::is_finite(*time));
-    let wrong = || BadOption::new(format!("--{name} wants a positive time in seconds, not `{word}`"));
-    time.map(Some).ok_or_else(wrong)
-}
-
-/// `mass=3`, as often as it stands there.
-fn settings(name: &str, given: &Arguments) -> Result<Vec<(String, f64)>, BadOption> {
-    let setting = |word: String| {
-        let (what, value) = word.split_once('=')?;
-        Some((what.trim().to_owned(), value.trim().parse().ok()?))
-    };
-    let wrong = |word: &str| BadOption::new(format!("--{name} wants NAME=NUMBER, not `{word}`"));
-    given.texts(name)?.into_iter().map(|word| setting(word.clone()).ok_or_else(|| wrong(&word))).collect()
-}
-
-/// A version of FMI.
-fn version_of(word: &str) -> Result<Version, BadOption> {
-    match word {
-        "2" | "2.0" => Ok(Version::Two),
-        "3" | "3.0" => Ok(Version::Three),
-        _ => Err(BadOption::new(format!("--fmi wants 2 or 3, not `{word}`"))),
-    }
-}
-
-/// A port; 0 where none was said.
-fn port_of(word: &str) -> Result<u16, BadOption> {
-    if word.is_empty() {
-        return Ok(0);
-    }
-    word.parse().map_err(|_| BadOption::new(format!("--serve wants a port from 1 to 65535, not `{word}`")))
 }
 
 #[cfg(test)]

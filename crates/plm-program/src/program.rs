@@ -18,6 +18,8 @@ use super::Library;
 use super::foreign::fmu_of;
 use super::options::{Options, quantities_of};
 use super::server::Server;
+#[cfg(feature = "c-source")]
+use super::{Precision, c_source};
 
 /// A run of a mechanism as its command line asks for it.
 ///
@@ -102,6 +104,12 @@ impl<M: Exchanged> Program<M> {
             return Ok(());
         }
         options.apply(&mut self.mechanism)?;
+        #[cfg(feature = "c-source")]
+        if let Some(folder) = &options.c_source {
+            let precision = if options.single { Precision::Single } else { Precision::Double };
+            told(&c_source(&self.mechanism, precision, folder)?);
+            return Ok(());
+        }
         let method = options.method.unwrap_or_default();
         if let Some(port) = options.serve {
             return Serve { options, port }.run(&mut method.start_at(self.mechanism, 0.0)?);

@@ -158,7 +158,7 @@ fn place(target: Target) -> Option<String> {
 }
 
 /// Lines where they are wanted.
-fn where_wanted(is_wanted: bool, text: &str) -> String {
+pub(crate) fn where_wanted(is_wanted: bool, text: &str) -> String {
     if is_wanted { text.to_owned() } else { String::new() }
 }
 

@@ -9,6 +9,7 @@ mod block;
 mod c;
 mod check;
 mod contact;
+mod cuda;
 mod dialect;
 mod events;
 mod fmu;
@@ -30,6 +31,7 @@ use std::fmt;
 use plm_dynamic::{Error, Mechanism, Steps};
 use plm_runtime::Fault;
 
+pub use self::cuda::cuda;
 pub use self::fmu::{Fmu, fmu};
 pub use self::plan::Refused;
 pub use self::ros2::ros2;

@@ -1,7 +1,9 @@
-//! C sources beside steps from text: the same bits, step by step.
+//! C sources beside steps from text: the same bits, step by step; and CUDA C, as a loop and thread by thread.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where something is missing")]
 
+#[path = "support/cuda.rs"]
+mod cuda;
 mod support;
 
 use std::path::{Path, PathBuf};
@@ -96,5 +98,74 @@ fn single_precision_has_the_bits_of_f32() {
             Outcome::Lines(lines) => assert!(lines.len() == 11, "{name}: {:?}", lines.last()),
             Outcome::Refused(why) | Outcome::Broken(why) => panic!("{name}: {why}"),
         }
+    }
+}
+
+/// Three of each side by side, after their last good step.
+#[test]
+fn mechanisms_side_by_side_have_the_bits_of_one() {
+    for name in SNAPSHOTS {
+        let mechanism = snapshot(name);
+        let lines = expected(&mechanism, 1.0 / 1024.0, 1000).unwrap();
+        let good: Vec<&String> = lines.iter().filter(|line| !line.starts_with("failed")).collect();
+        let last = cuda::numbers(good.last().unwrap());
+        for way in cuda::WAYS {
+            let all = cuda::said(name, &mechanism, Precision::Double, way, &["3", "1000", "0.0009765625"]);
+            assert_eq!(all.len(), 3);
+            for own in all {
+                assert_eq!(own.status == 0, good.len() == 1001, "{name} {way}: {own:?}");
+                assert_eq!(own.numbers, last, "{name} {way}");
+            }
+        }
+    }
+}
+
+/// A bar with a parameter of its own in each place of a batch, and a mass that may not be negative.
+#[test]
+fn each_mechanism_has_its_parameters_and_its_error() {
+    let text = "pub Swings { gravity: 9.81 m/s^2; param mass: kg = 2 kg; param begins: deg = 30 deg; input drive: N*m = 0.25 N*m; \
+        ground { port o: (0, 0) m; } body bar { mass: mass; inertia: 0.1 kg*m^2; port pivot: (0, 0.4) m; start angle: begins, locked; } \
+        revolute hinge(ground.o, bar.pivot) { damping: 0.1 N*m*s/rad; drive: drive; } output bar.angle, hinge.force; }";
+    let mut mechanism = Mechanism::from_text(text).unwrap();
+    let step = ["5", "300", "0.0009765625"];
+    for way in cuda::WAYS {
+        let said = |words: &[&str]| {
+            let words = [step.as_slice(), words].concat();
+            cuda::said("swings", &Mechanism::from_text(text).unwrap(), Precision::Double, way, &words)
+        };
+        let all = said(&["0", "1", "3"]);
+        for (own, mass) in all.iter().zip([1.0, 1.5, 2.0, 2.5, 3.0]) {
+            mechanism.set_parameter("mass", mass).unwrap();
+            let lines = expected(&mechanism, 1.0 / 1024.0, 300).unwrap();
+            assert_eq!(
+                (own.status, &own.numbers),
+                (0, &cuda::numbers(lines.last().unwrap())),
+                "{way} {mass} kg"
+            );
+        }
+        assert!(all[0].numbers != all[4].numbers);
+        // PLM_PARAMETER_VALUE, PLM_NOT_FINITE, and PLM_READ_ONLY where the start depends on it; the others go on.
+        let status = |words: &[&str]| said(words).iter().map(|own| own.status).collect::<Vec<_>>();
+        assert_eq!(status(&["0", "-2", "2"]), [10, 10, 10, 0, 0], "{way}");
+        assert_eq!(status(&["0", "inf", "1"])[..1], [5], "{way}");
+        let begins = mechanism.steps().unwrap().numbers().parameters[1].to_string();
+        assert_eq!(status(&["1", &begins, "1"]), [0, 6, 6, 6, 6], "{way}");
+    }
+}
+
+/// A requirement ends the mechanism that it belongs to, with its number.
+#[test]
+fn a_mechanism_that_ends_keeps_its_last_state() {
+    let text = "pub Falls { gravity: 9.81 m/s^2; param least: m = 0.9 m; ground { port o: (0, 0) m; } body stone { mass: 1 kg; inertia: 1 kg*m^2; \
+        port o: (0, 0) m; start y: 1 m; } require high: stone.y > least; output stone.y; }";
+    let mechanism = Mechanism::from_text(text).unwrap();
+    for way in cuda::WAYS {
+        let words = ["2", "300", "0.0009765625", "0", "0.9", "0.5"];
+        let all = cuda::said("falls", &mechanism, Precision::Double, way, &words);
+        assert_eq!(all.iter().map(|own| own.status).collect::<Vec<_>>(), [12, 0], "{way}");
+        let height = |own: &cuda::Said| f64::from_bits(*own.numbers.last().unwrap());
+        assert!((height(&all[0]) - 0.9).abs() < 2e-3 && height(&all[0]) > 0.9, "{way}: {}", height(&all[0]));
+        let fallen = 1.0 - 0.5 * 9.81 * (300.0f64 / 1024.0).powi(2);
+        assert!((height(&all[1]) - fallen).abs() < 1e-12, "{way}");
     }
 }

@@ -3,6 +3,8 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where something is missing")]
 
+#[path = "support/cuda.rs"]
+mod cuda;
 #[path = "support/scenes.rs"]
 mod scenes;
 mod support;
@@ -39,5 +41,22 @@ fn the_check_of_each_holds_in_single_precision() {
     for (name, mechanism) in scenes() {
         let own = lines(&format!("{name}-single"), &mechanism, STRICT, Precision::Single);
         assert_eq!(own.len(), 1001, "{name}: {:?}", own.last());
+    }
+}
+
+#[test]
+fn mechanisms_side_by_side_have_the_bits_of_text() {
+    for (name, mechanism) in scenes() {
+        let text = expected(&mechanism, 1.0 / 1024.0, 1000).unwrap();
+        for way in cuda::WAYS {
+            let words = ["2", "1000", "0.0009765625"];
+            for own in cuda::said(&name, &mechanism, Precision::Double, way, &words) {
+                assert_eq!(
+                    (own.status, own.numbers),
+                    (0, cuda::numbers(text.last().unwrap())),
+                    "{name} {way}"
+                );
+            }
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! `plm export`: a declaration as a project, from which cargo makes a program, C, an FMU or a wheel, as C source, as a file of MuJoCo or
+//! `plm export`: a declaration as a project, from which cargo makes a program, C, an FMU or a wheel, as C source, as CUDA C, as a file of MuJoCo or
 //! ROS, as drawings of its links, or as a link to the playground.
 
 mod links;
@@ -26,14 +26,15 @@ use crate::read;
 pub(super) const COMMAND: Command = Command {
     name: "export",
     usage: "FILE --rust FOLDER …",
-    title: "writes a project that makes a program, C, an FMU or a wheel of a declaration, its C source, MJCF or URDF, drawings of its links, or a link",
+    title: "writes a project that makes a program, C, an FMU or a wheel of a declaration, its C source, CUDA C, MJCF or URDF, drawings of its links, or a link",
     options: &[
         ("--rust FOLDER", "a Rust package whose program runs the mechanism"),
         ("--c FOLDER", "the same package, and how it makes a library for C and C++"),
         ("--fmu FOLDER", "the same package, and how it makes an FMU"),
         ("--python FOLDER", "the same package, and how it makes a wheel"),
         ("--c-source FOLDER", "C99 of it, for compilers of any target: no Rust, no library"),
-        ("--single", "of --c-source: numbers of 32 bits"),
+        ("--cuda FOLDER", "CUDA C of it: mechanisms side by side, each by a thread of a GPU"),
+        ("--single", "of --c-source and --cuda: numbers of 32 bits"),
         ("--ros2 FOLDER", "a package of ROS 2 with a node that steps its C source"),
         ("--fmu-source FILE", "an FMU with C sources: no Rust, no compiler"),
         ("--fmi VERSION", "of --fmu-source: 2 or 3, for FMI 2.0 or 3.0"),
@@ -90,6 +91,7 @@ const FORMATS: [(&str, Format); 2] = [("--mjcf", plm_import::to_mjcf), ("--urdf"
 enum Wanted {
     Package(&'static Product, PathBuf),
     Source(PathBuf, Precision),
+    Cuda(PathBuf, Precision),
     Ros2(PathBuf),
     SourceFmu(PathBuf, Version, Option<Interfaces>),
     File(Format, String),
@@ -121,8 +123,8 @@ impl Asked {
         wanted.extend(words.value("--link").map(Wanted::Link));
         let (Some(wanted), true) = (wanted.pop(), wanted.is_empty()) else {
             return Err(
-                "an export makes one of --rust, --c, --c-source, --fmu, --fmu-source, --python, --ros2, --mjcf, --urdf, \
-                 --dxf, --svg and --link"
+                "an export makes one of --rust, --c, --c-source, --cuda, --fmu, --fmu-source, --python, --ros2, --mjcf, \
+                 --urdf, --dxf, --svg and --link"
                     .into(),
             );
         };
@@ -140,9 +142,10 @@ impl Asked {
 fn of_source(words: &mut Words) -> Result<Vec<Wanted>, Failure> {
     let is_single = words.takes("--single");
     let [fmi, interface] = ["--fmi", "--interface"].map(|option| words.value(option));
-    let [source, ros2, fmu] = ["--c-source", "--ros2", "--fmu-source"].map(|option| words.value(option));
-    if is_single && source.is_none() {
-        return Err("--single is of --c-source: an FMU has numbers of 64 bits".into());
+    let [source, cuda, ros2, fmu] =
+        ["--c-source", "--cuda", "--ros2", "--fmu-source"].map(|option| words.value(option));
+    if is_single && source.is_none() && cuda.is_none() {
+        return Err("--single is of --c-source and --cuda: an FMU has numbers of 64 bits".into());
     }
     if (fmi.is_some() || interface.is_some()) && fmu.is_none() {
         return Err("--fmi and --interface are of --fmu-source".into());
@@ -152,7 +155,8 @@ fn of_source(words: &mut Words) -> Result<Vec<Wanted>, Failure> {
     let source = source.map(|folder| Wanted::Source(folder.into(), precision));
     let fmu = fmu.map(|file| Wanted::SourceFmu(file.into(), version, interfaces));
     let ros2 = ros2.map(|folder| Wanted::Ros2(folder.into()));
-    Ok(source.into_iter().chain(ros2).chain(fmu).collect())
+    let cuda = cuda.map(|folder| Wanted::Cuda(folder.into(), precision));
+    Ok(source.into_iter().chain(cuda).chain(ros2).chain(fmu).collect())
 }
 
 /// The version of an FMU with sources.
@@ -211,11 +215,12 @@ fn run(mut words: Words, streams: &mut Streams) -> Result<Outcome, Failure> {
             }
             if asked.builds { build(folder, &commands, streams) } else { Ok(Outcome::Good) }
         }
-        Wanted::Source(folder, _) | Wanted::Ros2(folder) => {
+        Wanted::Source(folder, _) | Wanted::Cuda(folder, _) | Wanted::Ros2(folder) => {
             let mechanism =
                 Mechanism::from_named_text(&file.name, &text).map_err(|error| error.to_string())?;
             let files = match asked.wanted {
                 Wanted::Source(_, precision) => plm_source::c(&mechanism, precision),
+                Wanted::Cuda(_, precision) => plm_source::cuda(&mechanism, precision),
                 _ => plm_source::ros2(&mechanism),
             };
             let files = files.map_err(|failure| failure.to_string())?;

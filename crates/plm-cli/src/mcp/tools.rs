@@ -67,8 +67,9 @@ const fn optional(name: &'static str, kind: Kind, about: &'static str) -> Field 
 }
 
 /// Formats of an export, and their options of `plm export`.
-const FORMATS: [(&str, &str); 10] = [
+const FORMATS: [(&str, &str); 11] = [
     ("c_source", "--c-source"),
+    ("cuda", "--cuda"),
     ("fmu_source", "--fmu-source"),
     ("ros2", "--ros2"),
     ("mjcf", "--mjcf"),
@@ -79,8 +80,8 @@ const FORMATS: [(&str, &str); 10] = [
     ("python", "--python"),
     ("link", "--link"),
 ];
-const FORMAT_NAMES: [&str; 10] =
-    ["c_source", "fmu_source", "ros2", "mjcf", "urdf", "rust", "c", "fmu", "python", "link"];
+const FORMAT_NAMES: [&str; 11] =
+    ["c_source", "cuda", "fmu_source", "ros2", "mjcf", "urdf", "rust", "c", "fmu", "python", "link"];
 
 const TOOLS: [Tool; 7] = [
     Tool {

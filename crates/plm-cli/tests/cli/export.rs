@@ -93,12 +93,29 @@ fn a_c_source_is_three_files_and_what_it_has_not_is_named() {
         let header = fs::read_to_string(folder.join(words[1]).join("two_bars.h")).unwrap();
         assert!(header.contains(&format!("int two_bars_step(two_bars *self, {real} h);")), "{header}");
     }
+    // The same for a GPU, beside kernels over it.
+    let said = export(&folder, &["bar.plm", "--cuda", "gpu", "--single"]);
+    let files = [
+        "two_bars.h",
+        "two_bars.c",
+        "plm_math.h",
+        "two_bars_batch.h",
+        "two_bars_batch.c",
+        "two_bars.cu",
+        "two_bars_run.c",
+    ];
+    let written = files.map(|file| format!("written: gpu/{file}\n"));
+    assert_eq!(said, Said { code: 0, output: written.concat(), errors: String::new() });
+    let header = fs::read_to_string(folder.join("gpu/two_bars_batch.h")).unwrap();
+    assert!(header.contains("two_bars_batch_steps(two_bars_batch all, float h, int steps);"), "{header}");
     let rubbing = BAR
         .replace("bar.pin);", "bar.pin) { friction: 1 N*m; }")
         .replace("contour: \"bar.csv\";", "contour: circle(10 cm);");
     fs::write(folder.join("rubs.plm"), rubbing).unwrap();
-    let said = export(&folder, &["rubs.plm", "--c-source", "none"]);
-    assert!(said.code != 0 && said.errors.contains("`pin") && !folder.join("none").exists(), "{said:?}");
+    for option in ["--c-source", "--cuda"] {
+        let said = export(&folder, &["rubs.plm", option, "none"]);
+        assert!(said.code != 0 && said.errors.contains("`pin") && !folder.join("none").exists(), "{said:?}");
+    }
 }
 
 /// It is written without Rust and without a compiler; the tests of plm-source give it to an importer.

@@ -3,14 +3,21 @@
 #ifndef PLM_MATH_H
 #define PLM_MATH_H
 
+#ifdef __CUDACC_RTC__
+/* NVRTC has no headers, and memset and memcpy by itself. */
+typedef int int32_t;
+typedef unsigned int uint32_t;
+typedef unsigned long long uint64_t;
+#else
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
+#endif
 
-/* No product and sum may be fused into one operation. */
+/* No product and sum may be fused into one operation; to nvcc and NVRTC the option -fmad=false says so. */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
-#elif defined(__GNUC__)
+#elif defined(__GNUC__) && !defined(__CUDACC__)
 #pragma GCC optimize ("fp-contract=off")
 #elif defined(_MSC_VER)
 #pragma fp_contract (off)
@@ -20,7 +27,7 @@
 #if !defined(__cplusplus) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 && FLT_EVAL_METHOD != 32
 #error "plm: expressions must be evaluated in their own type (no x87)"
 #endif
-#ifdef __FAST_MATH__
+#if defined(__FAST_MATH__) || (defined(__CUDACC__) && (__USE_FAST_MATH__ + 0))
 #error "plm: without -ffast-math"
 #endif
 #ifndef PLM_MAY_BE_UNUSED
@@ -30,7 +37,20 @@
 #define PLM_MAY_BE_UNUSED
 #endif
 #endif
-#define PLM_FUNCTION static PLM_MAY_BE_UNUSED
+#ifndef PLM_DEVICE
+#ifdef __CUDACC__
+#define PLM_DEVICE __device__
+#else
+#define PLM_DEVICE
+#endif
+#endif
+/* Functions that seldom run, or are long: on a GPU they would take registers from what always runs. */
+#ifdef __CUDACC__
+#define PLM_APART __noinline__
+#else
+#define PLM_APART
+#endif
+#define PLM_FUNCTION PLM_DEVICE static PLM_MAY_BE_UNUSED
 
 #ifdef PLM_SINGLE
 typedef float plm_real;
@@ -38,14 +58,18 @@ typedef uint32_t plm_bits;
 #define PLM_DIGITS 24
 #define PLM_MAX_EXP 128
 #define PLM_C(x) ((plm_real)x##F)
+#ifndef __CUDACC_RTC__
 typedef char plm_check_real[(FLT_MANT_DIG == 24) ? 1 : -1];
+#endif
 #else
 typedef double plm_real;
 typedef uint64_t plm_bits;
 #define PLM_DIGITS 53
 #define PLM_MAX_EXP 1024
 #define PLM_C(x) ((plm_real)x)
+#ifndef __CUDACC_RTC__
 typedef char plm_check_real[(DBL_MANT_DIG == 53) ? 1 : -1];
+#endif
 #endif
 
 typedef struct { plm_real sine; plm_real cosine; } plm_pair;
@@ -185,6 +209,13 @@ PLM_FUNCTION plm_rest plm_round_pair(plm_rest a) {
 }
 
 /* ---- square root: correctly rounded, as IEEE 754 demands of a processor's ---- */
+#if !defined(PLM_SQRT) && defined(__CUDACC__)
+#ifdef PLM_SINGLE
+#define PLM_SQRT(x) __fsqrt_rn(x)
+#else
+#define PLM_SQRT(x) __dsqrt_rn(x)
+#endif
+#endif
 #if !defined(PLM_SQRT) && (defined(__SSE2__) || defined(_M_X64))
 #include <emmintrin.h>
 #ifdef PLM_SINGLE
@@ -271,7 +302,7 @@ PLM_FUNCTION plm_wide plm_multiply(uint64_t a, uint64_t b) {
     return r;
 }
 
-PLM_FUNCTION int plm_turns_of_large(plm_real x, plm_rest *rest) {
+PLM_APART PLM_FUNCTION int plm_turns_of_large(plm_real x, plm_rest *rest) {
     static const uint64_t two_over_pi[20] = {
         0u, 0xa2f9836e4e441529u, 0xfc2757d1f534ddc0u, 0xdb6295993c439041u, 0xfe5163abdebbc561u, 0xb7246e3a424dd2e0u,
         0x06492eea09d1921cu, 0xfe1deb1cb129a73eu, 0xe88235f52ebb4484u, 0xe99c7026b45f7e41u, 0x3991d639835339f4u,
