@@ -153,7 +153,7 @@ impl Server {
             "textDocument/formatting" => Some(layout(document)),
             "textDocument/codeAction" => Some(fixes(document, &params["range"])),
             "plm/package" => Some(home::package(document)),
-            "plm/source" => Some(home::source(document, &params["kind"])),
+            "plm/source" => Some(home::source(document, &params)),
             "plm/equations" => Some(home::equations(document)),
             "plm/draw" => Some(draw::answered(document, &params)),
             _ => None,
