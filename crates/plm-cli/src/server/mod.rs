@@ -5,6 +5,7 @@
 mod complete;
 mod document;
 mod draw;
+mod gesture;
 mod hints;
 mod home;
 mod meaning;
@@ -12,6 +13,7 @@ mod names;
 mod parts;
 mod path;
 mod signature;
+mod start;
 mod streams;
 mod symbols;
 mod text;

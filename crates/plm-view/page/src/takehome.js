@@ -50,7 +50,7 @@ async function saveSource(kind, language, told) {
 const MOST_MOMENTS = 360;
 
 /** What a run has moved through: x, y and angle of each body in turn. @param {Run | null} run @returns {number[][]} */
-export function motionOf(run) {
+export function movedThrough(run) {
   if (run === null) return [];
   const step = Math.max(1, Math.ceil(run.rows / MOST_MOMENTS));
   const rows = Array.from({ length: Math.floor((run.rows + step - 1) / step) }, (_, k) => k * step);
@@ -59,7 +59,7 @@ export function motionOf(run) {
 
 /** Saves the links of the text in true size. @param {"dxf" | "svg"} kind @param {Language} language @param {Run | null} run what moves, where it is the text @param {HTMLElement} told */
 async function saveLinks(kind, language, run, told) {
-  const made = await language.source(kind, motionOf(run));
+  const made = await language.source(kind, movedThrough(run));
   if ("why" in made) {
     setText(told, `There are none: ${made.why}`);
     return;
