@@ -17,21 +17,27 @@ fi
 bash examples/playground/module.sh
 made=$root/target/plm/playground
 mkdir -p "$made"
+cargo run -q -p plm-cli --example playground -- --script "$made/page.js"
 (
     cd crates/plm-view/page
     node_modules/.bin/esbuild editor/editor.js --bundle --minify --format=iife --global-name=plmEditor \
         --footer:js="globalThis.plmEditor = plmEditor;" --legal-comments=none --log-level=warning --outfile="$made/bundle.js"
+    # Names stay: the text of workers is made of functions.
+    node_modules/.bin/esbuild "$made/page.js" --minify-whitespace --minify-syntax --format=esm --log-level=warning \
+        --outfile="$made/page.min.js"
     # The licence of CodeMirror asks to stand beside it.
-    { printf '/*\n'; cat node_modules/@codemirror/state/LICENSE; printf '*/\n'; cat "$made/bundle.js"; } > "$made/editor.js"
+    { printf '/*\n'; cat node_modules/@codemirror/state/LICENSE; printf '*/\n'; cat "$made/bundle.js" "$made/page.min.js"; } \
+        > "$made/script.js"
 )
 
 machines=examples/gallery/machines
-# What browsers inflate by themselves would be a third larger.
-xz --keep --force --format=lzma --lzma1=preset=9e,lc=4,pb=0 --stdout \
-    target/playground/wasm32-unknown-unknown/release/plm_playground.wasm > "$made/module.lzma"
+# What browsers inflate by themselves would be larger, the module by a third.
+packed() { xz --keep --force --format=lzma --lzma1=preset=9e,lc=4,pb=0 --stdout "$1"; }
+packed target/playground/wasm32-unknown-unknown/release/plm_playground.wasm > "$made/module.lzma"
+packed "$made/script.js" > "$made/script.lzma"
 page() {
     cargo run -q -p plm-cli --example playground -- "$@" \
-        "$made/module.lzma" "$made/editor.js" examples/playground/four_bar.plm \
+        "$made/module.lzma" "$made/script.lzma" examples/playground/four_bar.plm \
         $machines/{watt,peaucellier,lambda,klann,whitworth,pumpjack,scissor,andrews,walschaerts,wiper}.rs examples/double_pendulum.rs
 }
 page target/plm/playground.html

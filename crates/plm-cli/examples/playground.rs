@@ -1,6 +1,7 @@
-//! A page in which declarations are typed, from its module and its editor: `bash examples/playground/build.sh` calls
-//! `cargo run -p plm-cli --example playground -- page.html module.lzma editor.js machine.rs…`. With `--book ADDRESS` in front of these,
-//! codes of diagnostics lead to their pages of the book there.
+//! A page in which declarations are typed, from its module and its script: `bash examples/playground/build.sh` calls
+//! `cargo run -p plm-cli --example playground -- page.html module.lzma script.lzma machine.rs…`. With `--book ADDRESS` in front of these,
+//! codes of diagnostics lead to their pages of the book there. `--script FILE` alone writes the script of the page, to which that of the
+//! editor is added.
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -14,19 +15,28 @@ fn main() -> ExitCode {
         [word, book, files @ ..] if word == "--book" => (book.as_str(), files),
         files => ("", files),
     };
-    let [html, module, editor, gallery @ ..] = files else {
-        eprintln!("usage: playground [--book ADDRESS] PAGE.html MODULE.lzma EDITOR.js MACHINE.rs…");
-        return ExitCode::FAILURE;
+    let written = match files {
+        [word, script] if word == "--script" => std::fs::write(script, Page::editor_script())
+            .map(|()| script)
+            .map_err(|error| format!("cannot write {script}: {error}")),
+        [html, module, script, gallery @ ..] => {
+            write(html, book, (module, script), gallery).map(|()| html)
+        }
+        _ => Err("usage: playground --script SCRIPT.js | [--book ADDRESS] PAGE.html MODULE.lzma SCRIPT.lzma MACHINE.rs…".to_owned()),
     };
-    if let Err(message) = write(html, book, (module, editor), gallery) {
-        eprintln!("{message}");
-        return ExitCode::FAILURE;
+    match written {
+        Ok(path) => {
+            println!("wrote {path}");
+            ExitCode::SUCCESS
+        }
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
     }
-    println!("wrote {html}");
-    ExitCode::SUCCESS
 }
 
-fn write(html: &str, book: &str, (module, editor): (&str, &str), gallery: &[String]) -> Result<(), String> {
+fn write(html: &str, book: &str, (module, script): (&str, &str), gallery: &[String]) -> Result<(), String> {
     let read = |path: &str| std::fs::read(path).map_err(|error| format!("cannot read {path}: {error}"));
     let text = |path: &str| String::from_utf8(read(path)?).map_err(|error| format!("{path}: {error}"));
     let of_machine = |path: &String| match declarations(path, &text(path)?).into_iter().next() {
@@ -34,7 +44,7 @@ fn write(html: &str, book: &str, (module, editor): (&str, &str), gallery: &[Stri
         None => Err(format!("{path}: there is no `mechanism! {{…}}`")),
     };
     let texts = gallery.iter().map(of_machine).collect::<Result<Vec<_>, String>>()?;
-    let page = Page::new(&[], "plm").with_editor(&text(editor)?, &read(module)?, &texts).with_book(book);
+    let page = Page::new(&[], "plm").with_editor(&read(script)?, &read(module)?, &texts).with_book(book);
     page.write_html(html).map_err(|error| error.to_string())
 }
 

@@ -1,9 +1,11 @@
 //! A declaration with what the compiler says of it.
 
 use plm_compiler::diag::Diagnostics;
+use plm_compiler::span::Span;
 use plm_compiler::syntax::parse;
 use plm_compiler::token::Sources;
 use plm_compiler::{Expansion, analyse, bug_message, compile, without_panic};
+use plm_import::Place;
 
 use crate::excerpt::{Excerpt, Excerpts, excerpts};
 use crate::read;
@@ -15,6 +17,15 @@ pub(crate) struct Checked {
     pub(crate) sources: Sources,
     /// Code where it was asked for, diagnostics and report.
     pub(crate) expansion: Expansion,
+}
+
+/// The place of a span of a declaration.
+pub(crate) fn place(sources: &Sources, span: Span) -> Place {
+    let source = sources.get(span.source);
+    let at = source.and_then(|source| source.place(span)).map(|(at, _)| at);
+    let [line, column] =
+        at.map_or([1; 2], |at| [at.line, at.column].map(|count| u32::try_from(count).unwrap_or(u32::MAX)));
+    Place { file: source.map_or("", |source| source.name.as_str()).into(), line, column }
 }
 
 /// Declarations of a file.

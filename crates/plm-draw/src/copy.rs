@@ -7,7 +7,7 @@ use crate::edit::{Edit, applied, in_order};
 use crate::gesture::Drawn;
 use crate::insert::{Insertion, Section, Words};
 use crate::lexer::tokens;
-use crate::number::{Literal, degrees, rounded};
+use crate::number::{degrees, rounded};
 use crate::picture::{Picture, Point, turned};
 use crate::refusal::Refusal;
 use crate::rules::{FINE, turn_of_axes};
@@ -68,12 +68,17 @@ fn points(
 ) -> Vec<Edit> {
     let (mut edits, mut names) = (Vec::new(), Vec::new());
     for handle in own {
-        let Place::Numbers { numbers, pair, through, .. } = &handle.place else { continue };
-        let at = [numbers[0].si() + dx, numbers[1].si() + dy];
+        let Some([x, y]) = handle.place.at() else { continue };
+        let at = [x + dx, y + dy];
+        let (through, pair) = match &handle.place {
+            Place::Numbers { through, pair, .. } => (*through, pair),
+            Place::Polar { through, value, .. } => (Some(*through), value),
+            Place::Expression(_) => continue,
+        };
         match through {
             None => edits.push(Edit::new(pair.clone(), point_at(at, grid))),
-            Some(name) if names.iter().any(|(known, _)| known == name) => {}
-            Some(name) => names.push((*name, named_point(at, grid, words, insertion))),
+            Some(name) if names.iter().any(|(known, _)| *known == name) => {}
+            Some(name) => names.push((name, named_point(at, grid, words, insertion))),
         }
     }
     mentions(item, &mut |mention| {
@@ -91,13 +96,12 @@ fn starts(
     own: &[&Handle<'_>],
     ([dx, dy], grid): (Point, f64),
 ) -> Result<Vec<Edit>, Refusal> {
-    let known = own.iter().find_map(|handle| match &handle.place {
-        Place::Numbers { numbers, .. } => picture.port(&handle.name).map(|placed| (*handle, numbers, placed)),
-        Place::Expression(_) => None,
+    let known = own.iter().find_map(|handle| {
+        handle.place.at().zip(picture.port(&handle.name)).map(|(at, placed)| (*handle, at, placed))
     });
-    let (handle, numbers, placed) = known.ok_or_else(|| Refusal::NotShown(own[0].name.clone()))?;
+    let (handle, at, placed) = known.ok_or_else(|| Refusal::NotShown(own[0].name.clone()))?;
     let angle = turn_of_axes(handle.axes, placed.angle);
-    let [x, y] = turned(numbers.each_ref().map(Literal::si), angle);
+    let [x, y] = turned(at, angle);
     let origin =
         [placed.at[0] - x + dx, placed.at[1] - y + dy].map(|part| rounded(1e3 * part, 1e3 * FINE * grid));
     let degrees = degrees(angle);

@@ -11,7 +11,7 @@ use crate::refusal::Refusal;
 use crate::rules::{Drag, Dragged, FINE, Held, drag};
 use crate::sheet::{Axes, Handle, Place, Sheet};
 use crate::tools::Tool;
-use crate::{copy, lift, mirror, port, remove, rename, setting, slide, typed};
+use crate::{copy, lock, mirror, port, remove, rename, setting, slide, start, typed};
 
 /// How a motor turns at first.
 const SPEED: &str = "60 rev/min*t";
@@ -61,6 +61,7 @@ fn edited(sheet: &Sheet<'_>, picture: &Picture, gesture: &Gesture) -> Result<Dra
         Gesture::Typed(of) => Ok(of_changes(&typed::changes(sheet, picture, of)?)),
         Gesture::Bar { ends, grid } => bar(sheet, picture, ends, *grid),
         Gesture::Ground { port, grid } => ground(sheet, picture, port, *grid),
+        Gesture::GroundPoint { at, grid } => ground_point(sheet, *at, *grid),
         Gesture::Merge { drag, onto } => merge(sheet, picture, drag, onto),
         Gesture::Motor { body } => motor(sheet, picture, body),
         Gesture::Join { tool, ports: [one, other], grid } => {
@@ -79,8 +80,10 @@ fn edited(sheet: &Sheet<'_>, picture: &Picture, gesture: &Gesture) -> Result<Dra
             dragged(sheet, picture, &mirror::image(sheet, picture, port, *grid)?)
         }
         Gesture::Copy { body, by, grid } => copy::body(sheet, picture, body, *by, *grid),
-        Gesture::Lock { port, axis } => lift::locked(sheet, port, *axis),
+        Gesture::Lock { port, dimension } => lock::locked(sheet, port, *dimension),
+        Gesture::Unlock { port, dimension } => lock::unlocked(sheet, port, *dimension),
         Gesture::Set { name, value } => Ok(of_changes(&setting::changes(sheet, name, *value)?)),
+        Gesture::Start { starts, ahead, grid } => Ok(only(start::edits(sheet, starts, ahead, *grid)?)),
         Gesture::Delete { name } => Ok(only(remove::thing(sheet, name)?)),
         Gesture::Unpin { port } => Ok(only(remove::pin(sheet, port)?)),
         Gesture::DeletePort { port } => Ok(only(remove::port(sheet, port)?)),
@@ -101,7 +104,7 @@ fn dragged(sheet: &Sheet<'_>, picture: &Picture, of: &Drag) -> Result<Drawn, Ref
 
 fn of_dragged(of: Dragged) -> Drawn {
     let drawn = of_changes(&of.changes);
-    Drawn { to: Some(of.to), also: of.also, open: of.open, ..drawn }
+    Drawn { to: Some(of.to), also: of.also, open: of.open, told: of.told, ..drawn }
 }
 
 /// A port of the text.
@@ -124,6 +127,11 @@ pub(crate) fn point_of<'s>(handle: &Handle<'s>) -> Option<&'s str> {
             if handle.axes == Axes::Absolute || handle.axes == Axes::Drawing(0.0) =>
         {
             through
+        }
+        Place::Polar { through, .. }
+            if handle.axes == Axes::Absolute || handle.axes == Axes::Drawing(0.0) =>
+        {
+            Some(through)
         }
         _ => None,
     }
@@ -214,7 +222,7 @@ pub(crate) fn new_ground<'a>(
 }
 
 /// The density of bars: that of a name which the first bar gives it.
-fn density(sheet: &Sheet<'_>, words: &Words, insertion: &mut Insertion) -> String {
+pub(crate) fn density(sheet: &Sheet<'_>, words: &Words, insertion: &mut Insertion) -> String {
     let [name, density] = STEEL;
     let is_let = sheet.items().iter().any(|item| match &item.kind {
         plm_compiler::syntax::ast::ItemKind::Let(of, _) => of.indices.is_empty() && of.ident.text == name,
@@ -246,6 +254,14 @@ fn ground(sheet: &Sheet<'_>, picture: &Picture, port: &PortName, grid: f64) -> R
     Ok(Drawn { edits: insertion.edits(sheet)?, made: vec![place, name], ..Drawn::default() })
 }
 
+/// A port of the ground by itself: the other end of a spring.
+fn ground_point(sheet: &Sheet<'_>, at: Point, grid: f64) -> Result<Drawn, Refusal> {
+    let (mut words, mut insertion) = (Words::of(sheet.text), Insertion::default());
+    let point = named_point(at, grid, &mut words, &mut insertion);
+    let (place, _) = new_ground(&point, &mut words, &mut insertion, "");
+    Ok(Drawn { edits: insertion.edits(sheet)?, made: vec![place], ..Drawn::default() })
+}
+
 /// A pin goes to another one, and a joint holds it there. Two points of a drawing become one.
 fn merge(sheet: &Sheet<'_>, picture: &Picture, of: &Drag, onto: &PortName) -> Result<Drawn, Refusal> {
     let handles = sheet.handles();
@@ -265,6 +281,9 @@ fn merge(sheet: &Sheet<'_>, picture: &Picture, of: &Drag, onto: &PortName) -> Re
     let made = vec![name];
     match point_of(own).zip(point_of(other)) {
         Some((from, into)) if from != into => {
+            if sheet.stands_at(into, from) {
+                return Err(Refusal::Locked(format!("a dimension of {onto}")));
+            }
             edits.extend(remove::replaced_point(sheet, from, into));
             Ok(Drawn { edits, to: Some(to), made, ..Drawn::default() })
         }

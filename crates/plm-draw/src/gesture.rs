@@ -4,6 +4,7 @@ use crate::edit::Edit;
 use crate::names::PortName;
 use crate::picture::Point;
 use crate::rules::Drag;
+use crate::start::{Ahead, StartAt};
 use crate::typed;
 
 /// A deed of a hand.
@@ -24,6 +25,13 @@ pub enum Gesture {
     Ground {
         /// The port.
         port: PortName,
+        /// The step of the picture, m.
+        grid: f64,
+    },
+    /// The ground gets a port, to which parts can be joined.
+    GroundPoint {
+        /// Its place.
+        at: Point,
         /// The step of the picture, m.
         grid: f64,
     },
@@ -91,12 +99,19 @@ pub enum Gesture {
         /// The step of the picture, m.
         grid: f64,
     },
-    /// A number of the place of a port becomes a parameter.
+    /// A dimension of a port becomes a parameter, which no hand moves.
     Lock {
         /// The port.
         port: PortName,
-        /// That along x, 0, or along y, 1.
-        axis: usize,
+        /// Which dimension.
+        dimension: typed::Dimension,
+    },
+    /// A dimension that is locked is a number of the place again.
+    Unlock {
+        /// The port.
+        port: PortName,
+        /// Which dimension.
+        dimension: typed::Dimension,
     },
     /// A parameter or an input has another value.
     Set {
@@ -104,6 +119,15 @@ pub enum Gesture {
         name: String,
         /// The value, SI.
         value: f64,
+    },
+    /// Bodies begin elsewhere; no other coordinate is locked then.
+    Start {
+        /// The coordinates that say where.
+        starts: Vec<StartAt>,
+        /// Bodies with prescribed angles, which begin further on.
+        ahead: Vec<Ahead>,
+        /// The step of the picture, m.
+        grid: f64,
     },
     /// A thing is taken away.
     Delete {
@@ -160,6 +184,8 @@ pub struct Drawn {
     pub also: Vec<PortName>,
     /// Parts at the pin that the numbers may not close: slides, slots.
     pub open: Vec<String>,
+    /// Warnings for the hand: bars at a dead point, an assembly that has flipped.
+    pub told: Vec<String>,
     /// Names of what is new.
     pub made: Vec<String>,
 }

@@ -48,7 +48,8 @@ impl Section {
                 ItemKind::Output(_) | ItemKind::Observe(_) | ItemKind::Instance(_) | ItemKind::Constraint(..)
             )
         };
-        let things = || last(Section::Things).or_else(|| items.iter().rfind(is_end));
+        let things =
+            || last(Section::Things).map(|of| with_points(items, of)).or_else(|| items.iter().rfind(is_end));
         // A joint is declared behind what it joins, wherever that stands.
         match self {
             Section::Things => things(),
@@ -56,6 +57,13 @@ impl Section {
             Section::Rows => last(Section::Rows).or_else(|| last(Section::Joints)).or_else(things),
         }
     }
+}
+
+/// The last of the names that follow a thing: points that were drawn behind it.
+fn with_points<'i>(items: &'i [Item], thing: &'i Item) -> &'i Item {
+    let at = items.iter().position(|item| item.span == thing.span).unwrap_or_default();
+    let points = items[at..].iter().skip(1).take_while(|item| matches!(item.kind, ItemKind::Let(..)));
+    points.last().unwrap_or(thing)
 }
 
 /// New items, by section.

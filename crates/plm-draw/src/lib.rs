@@ -17,6 +17,7 @@
 //! ```
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+mod branch;
 mod copy;
 mod draw;
 mod edit;
@@ -25,6 +26,7 @@ mod insert;
 pub mod layout;
 pub mod lexer;
 mod lift;
+mod lock;
 mod mirror;
 mod names;
 mod number;
@@ -38,6 +40,7 @@ mod setting;
 mod sheet;
 mod sketch;
 mod slide;
+mod start;
 mod tools;
 mod typed;
 
@@ -50,8 +53,9 @@ pub use number::{Change, Literal, decimal_step};
 pub use picture::{Picture, Placed, Point};
 pub use refusal::Refusal;
 pub use rules::{Drag, Held};
-pub use sheet::{Axes, Handle, Place, Sheet};
+pub use sheet::{Axes, Handle, Place, Polar, Sheet};
 pub use sketch::{Sketch, SketchPart};
+pub use start::{Ahead, Coordinate, StartAt};
 pub use tools::{TOOLS, Tool};
 pub use typed::{Dimension, Typed};
 

@@ -1,18 +1,15 @@
 //! Lift: numbers become parameters. Those under a hand do so for as long as it holds them, so that a drag sets values of a mechanism that
-//! was compiled once; a dimension that is locked stays one.
+//! was compiled once.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::draw::handle_of;
 use crate::edit::{Edit, applied};
-use crate::gesture::Drawn;
-use crate::insert::{Words, indentation, opening};
-use crate::names::PortName;
+use crate::insert::opening;
 use crate::number::{Change, Literal};
 use crate::refusal::Refusal;
 use crate::rules::Dragged;
-use crate::sheet::{Place, Sheet};
+use crate::sheet::Sheet;
 
 /// A text with parameters in the place of numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,14 +37,17 @@ pub(crate) fn lifted(sheet: &Sheet<'_>, dragged: &Dragged) -> Result<Lifted, Ref
 }
 
 /// The declaration of a number as a parameter.
-fn declaration(sheet: &Sheet<'_>, (literal, name): &(&Literal, &str)) -> String {
+pub(crate) fn declaration(sheet: &Sheet<'_>, (literal, name): &(&Literal, &str)) -> String {
     let number = sheet.text.get(literal.range.clone()).unwrap_or_default();
     let unit = &literal.unit.text;
     format!("param {name}: {unit} = {number} {unit};")
 }
 
 /// Numbers with names in their place, by where they stand.
-fn replaced(sheet: &Sheet<'_>, named: &[(&Literal, &str)]) -> BTreeMap<usize, (Range<usize>, String)> {
+pub(crate) fn replaced(
+    sheet: &Sheet<'_>,
+    named: &[(&Literal, &str)],
+) -> BTreeMap<usize, (Range<usize>, String)> {
     let of = |literal: &Literal| {
         named.iter().find(|(known, _)| known.range == literal.range).map(|(_, name)| (*name).to_owned())
     };
@@ -71,31 +71,4 @@ fn replaced(sheet: &Sheet<'_>, named: &[(&Literal, &str)]) -> BTreeMap<usize, (R
         }
     }
     replaced
-}
-
-/// A number of the place of a port becomes a parameter of the mechanism, by which it is set, and no hand moves it any more.
-///
-/// # Errors
-/// The text has no such port, or it stands where an expression says.
-pub(crate) fn locked(sheet: &Sheet<'_>, port: &PortName, axis: usize) -> Result<Drawn, Refusal> {
-    let handles = sheet.handles();
-    let handle = handle_of(&handles, port)?;
-    let (numbers, through) = match &handle.place {
-        Place::Numbers { numbers, through, .. } => (numbers, through),
-        Place::Expression(text) => {
-            return Err(Refusal::Expression { port: port.clone(), text: text.clone() });
-        }
-    };
-    let stem = through.map_or_else(|| format!("{}_{}", port.owner, port.port), str::to_owned);
-    let stem: String = stem.chars().filter(|letter| letter.is_alphanumeric() || *letter == '_').collect();
-    let mut words = Words::of(sheet.text);
-    let name = format!("{stem}_{}", ["x", "y"][axis.min(1)]);
-    let name = if words.has(&name) { words.fresh(&format!("{name}_")) } else { name };
-    let named = [(&numbers[axis.min(1)], name.as_str())];
-    let mut edits = replaced(sheet, &named);
-    let open = opening(sheet)?;
-    let indent = indentation(sheet.text, open) + crate::insert::LEVEL;
-    edits.insert(open, (open..open, format!("\n{:indent$}{}", "", declaration(sheet, &named[0]))));
-    let edits = edits.into_values().map(|(range, new)| Edit::new(range, new)).collect();
-    Ok(Drawn { edits, made: vec![name.clone()], ..Drawn::default() })
 }

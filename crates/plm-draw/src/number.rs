@@ -21,6 +21,8 @@ pub struct Literal {
     pub unit: DisplayUnit,
     /// Is the unit written, at the number or at its pair? A zero needs none.
     pub has_unit: bool,
+    /// Is it the value of a name, so that no hand moves it?
+    pub is_locked: bool,
 }
 
 impl Literal {
@@ -37,7 +39,14 @@ impl Literal {
                 let value = number.to_f64();
                 // Without a unit a number is a mistake, but for zero.
                 let unit = shared.or((value == 0.0).then_some(other))?.clone();
-                Some(Literal { range: whole.clone(), whole, value, unit, has_unit: shared.is_some() })
+                Some(Literal {
+                    range: whole.clone(),
+                    whole,
+                    value,
+                    unit,
+                    has_unit: shared.is_some(),
+                    is_locked: false,
+                })
             }
             ExprKind::Quantity(inner, unit) if !matches!(inner.kind, ExprKind::Pair(..)) => {
                 Some(Literal { whole, ..Literal::of(inner, Some(unit), other, range)? })

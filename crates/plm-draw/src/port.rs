@@ -9,7 +9,7 @@ use crate::picture::{Picture, Point, between, turned};
 use crate::refusal::Refusal;
 use crate::remove::statement;
 use crate::rules::{FINE, turn_of_axes};
-use crate::sheet::{Axes, Handle, Place, Sheet};
+use crate::sheet::{Axes, Handle, Sheet};
 
 /// Names of ports, in their order.
 const LETTERS: &str = "abcdefghijklmnopqrstuw";
@@ -102,11 +102,10 @@ pub(crate) fn put(
 /// A place in the axes of a body, from a port of it that has numbers.
 fn own_place(picture: &Picture, own: &[&Handle<'_>], at: Point, grid: f64) -> Result<String, Refusal> {
     for handle in own {
-        let Place::Numbers { numbers, .. } = &handle.place else { continue };
+        let Some([x, y]) = handle.place.at() else { continue };
         let placed = picture.port(&handle.name).ok_or_else(|| Refusal::NotShown(handle.name.clone()))?;
         let by = turned(between(placed.at, at), -turn_of_axes(handle.axes, placed.angle));
-        let place = [numbers[0].si() + by[0], numbers[1].si() + by[1]];
-        return Ok(point_at(place, grid));
+        return Ok(point_at([x + by[0], y + by[1]], grid));
     }
     Err(Refusal::NoBar(own[0].name.clone()))
 }

@@ -22,8 +22,14 @@ pub enum Refusal {
     },
     /// A length would be zero.
     NoLength,
-    /// Two bars of a pin have prescribed angles, or the pin is on both ends of one.
+    /// Prescribed angles and locked dimensions leave the pin no way to go.
     Held(PortName),
+    /// A lock holds it already.
+    Locked(String),
+    /// No lock holds it.
+    NotLocked(String),
+    /// Several places name the parameter, so that it is no dimension of one.
+    Shared(String),
     /// Both stand on one body, or are one pin already.
     Same(PortName, PortName),
     /// No name can be this.
@@ -54,7 +60,14 @@ impl fmt::Display for Refusal {
                 write!(f, "`{port}` stands at `{text}`, which is no pair of numbers: it is moved in the text")
             }
             Refusal::NoLength => write!(f, "the two points are one"),
-            Refusal::Held(port) => write!(f, "prescribed angles hold the pin of `{port}`"),
+            Refusal::Held(port) => {
+                write!(f, "prescribed angles and locks hold the pin of `{port}`: open one")
+            }
+            Refusal::Locked(what) => write!(f, "{what} is locked already: its parameter has the value"),
+            Refusal::NotLocked(what) => write!(f, "{what} is not locked"),
+            Refusal::Shared(name) => {
+                write!(f, "`{name}` is named in several places: it is taken apart in the text")
+            }
             Refusal::Same(one, other) => write!(f, "`{one}` and `{other}` are of one body or of one pin"),
             Refusal::NoName(name) => write!(
                 f,

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use plm_compiler::syntax::ast::{Expr, ExprKind, Ident, Item, ItemKind, Port};
+use plm_compiler::syntax::ast::{Contour, Expr, ExprKind, Ident, Item, ItemKind, Port};
 
 use crate::edit::Edit;
 use crate::lexer::tokens;
@@ -152,7 +152,7 @@ fn removed(sheet: &Sheet<'_>, mut gone: Gone) -> Vec<Edit> {
             break;
         }
     }
-    drop_points(&all, &mut items, &gone);
+    drop_points(sheet, &all, &mut items, &gone);
     drop_empty(&all, &mut items);
     let mut edits = Vec::new();
     let outermost = |k: &usize| !items.iter().any(|other| other != k && contains(all[*other], all[*k]));
@@ -181,7 +181,11 @@ fn goes(item: &Item, gone: &mut Gone) -> bool {
             let name = &body.name.ident.text;
             note_ports(name, &body.ports, gone);
             let fields = body.fields.iter().map(|(_, value)| value);
-            let mut others = fields.chain(body.starts.iter().map(|start| &start.value));
+            let corners = body.contour.iter().chain(&body.holes).flat_map(|contour| match contour {
+                Contour::Points(points) => &points[..],
+                Contour::File(..) => &[],
+            });
+            let mut others = fields.chain(body.starts.iter().map(|start| &start.value)).chain(corners);
             is_named || others.any(|value| gone.are_named_in(value))
         }
         ItemKind::Ground(ports) => {
@@ -207,7 +211,7 @@ fn note_ports(owner: &str, ports: &[Port], gone: &mut Gone) {
 }
 
 /// Points of a drawing that only what goes has named go too.
-fn drop_points(all: &[&Item], items: &mut BTreeSet<usize>, gone: &Gone) {
+fn drop_points(sheet: &Sheet<'_>, all: &[&Item], items: &mut BTreeSet<usize>, gone: &Gone) {
     let mut freed = BTreeSet::new();
     for k in &*items {
         mentions(all[*k], &mut |mention| {
@@ -233,7 +237,7 @@ fn drop_points(all: &[&Item], items: &mut BTreeSet<usize>, gone: &Gone) {
         let ItemKind::Let(name, value) = &item.kind else { continue };
         let is_point = match &value.kind {
             ExprKind::Quantity(pair, _) => matches!(pair.kind, ExprKind::Pair(..)),
-            kind => matches!(kind, ExprKind::Pair(..)),
+            kind => matches!(kind, ExprKind::Pair(..)) || sheet.polar(value).is_some(),
         };
         let name = name.ident.text.as_str();
         if is_point && freed.contains(name) && !used.contains(name) {
@@ -330,6 +334,11 @@ fn with_docs(sheet: &Sheet<'_>, item: &Item) -> Range<usize> {
         range.start = begin;
     }
     range
+}
+
+/// An item with its documentation and its line.
+pub(crate) fn whole_line(sheet: &Sheet<'_>, item: &Item) -> Range<usize> {
+    with_line(sheet.text, &with_docs(sheet, item))
 }
 
 /// A range with the rest of its line where that is blank, else with the blanks before it.

@@ -6,9 +6,8 @@
 use std::collections::BTreeMap;
 
 use crate::names::{GROUND, PortName};
-use crate::number::Literal;
 use crate::picture::{Picture, Placed, Point, turned};
-use crate::sheet::{Axes, Handle, Joint, Place, Sheet};
+use crate::sheet::{Axes, Handle, Joint, Sheet};
 
 /// A text as it is drawn before it is a mechanism.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,10 +74,10 @@ impl Bodies {
     fn of(sheet: &Sheet<'_>, handles: &[Handle<'_>]) -> Bodies {
         let mut bodies: BTreeMap<String, Outline> = BTreeMap::new();
         for handle in handles {
-            let Place::Numbers { numbers, .. } = &handle.place else { continue };
+            let Some(at) = handle.place.at() else { continue };
             let outline =
                 bodies.entry(handle.name.owner.clone()).or_insert_with(|| Outline::of(sheet, handle));
-            outline.ports.push((handle.name.clone(), numbers.each_ref().map(Literal::si)));
+            outline.ports.push((handle.name.clone(), at));
         }
         Bodies(bodies)
     }

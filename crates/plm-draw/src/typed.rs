@@ -1,13 +1,16 @@
 //! Typed dimensions: numbers of a pin by the keyboard, which are written as they were typed.
 
+use std::f64::consts::{PI, TAU};
+
 use plm_compiler::units::unit;
 
+use crate::lock;
 use crate::names::PortName;
 use crate::number::{Change, Literal};
 use crate::picture::{Picture, Placed, Point, between};
 use crate::refusal::Refusal;
-use crate::rules::{Bar, Drag, drag};
-use crate::sheet::{Axes, Handle, Place, Sheet, unit_named};
+use crate::rules::{Bar, FINE, Held, turn_of_axes};
+use crate::sheet::{Axes, Handle, Place, Polar, Sheet, unit_named};
 
 /// Poses that differ by less, m or rad, are one.
 const ROUNDING: f64 = 1e-9;
@@ -93,7 +96,7 @@ fn of_line(
     handles: &[Handle<'_>],
     handle: &Handle<'_>,
     picture: &Picture,
-    (placed, numbers): (&Placed, &[Literal; 2]),
+    (placed, unit): (&Placed, &Literal),
     of: &Typed,
 ) -> Result<Point, Refusal> {
     let others: Vec<_> = handles
@@ -106,10 +109,10 @@ fn of_line(
     let end = picture.port(&other.name).ok_or_else(|| Refusal::NotShown(other.name.clone()))?;
     let along = between(end.at, placed.at);
     if of.dimension == Dimension::Length {
-        let (_, value) = read(&of.text, &numbers[0])?;
-        return around(end.at, value * numbers[0].factor(), along[1].atan2(along[0]));
+        let (_, value) = read(&of.text, unit)?;
+        return around(end.at, value * unit.factor(), along[1].atan2(along[0]));
     }
-    let degrees = Literal { unit: unit_named("deg"), ..numbers[0].clone() };
+    let degrees = Literal { unit: unit_named("deg"), ..unit.clone() };
     let (_, value) = read(&of.text, &degrees)?;
     around(end.at, along[0].hypot(along[1]), value * degrees.factor())
 }
@@ -130,28 +133,27 @@ pub(crate) fn changes(sheet: &Sheet<'_>, picture: &Picture, of: &Typed) -> Resul
     let handle = handles.iter().find(|handle| handle.name == of.port);
     let handle = handle.ok_or_else(|| Refusal::Unknown(of.port.to_string()))?;
     let placed = picture.port(&of.port).ok_or_else(|| Refusal::NotShown(of.port.clone()))?;
-    let numbers = match &handle.place {
-        Place::Numbers { numbers, .. } => numbers,
-        Place::Expression(text) => {
-            return Err(Refusal::Expression { port: of.port.clone(), text: text.clone() });
-        }
-    };
-    let (to, typed) = match of.dimension {
-        Dimension::X | Dimension::Y => {
-            let axis = usize::from(of.dimension == Dimension::Y);
-            let (token, value) = read(&of.text, &numbers[axis])?;
-            let mut to = placed.at;
-            to[axis] = value * numbers[axis].factor();
-            let stands = handle.axes == Axes::Absolute || is_as_drawn(handle.axes, placed, numbers);
-            (to, token.filter(|_| stands).map(|token| (numbers[axis].clone(), token)))
-        }
-        Dimension::Length | Dimension::Angle => match Bar::of(sheet, &handles, handle) {
-            Some(bar) => of_bar(&bar, picture, placed, of)?,
-            None => (of_line(&handles, handle, picture, (placed, numbers), of)?, None),
-        },
-    };
-    let drag_to = Drag { port: of.port.clone(), to, grid: of.grid, free: false };
-    let mut changes = drag(sheet, picture, &drag_to)?.changes;
+    let is_of_bar = matches!(of.dimension, Dimension::Length | Dimension::Angle);
+    if let Some((polar, is_own)) = lock::polar_of(&handles, handle).filter(|_| is_of_bar) {
+        return Ok(vec![of_polar(polar, is_own, turn_of_axes(handle.axes, placed.angle), of)?]);
+    }
+    // A length that is two numbers is none, and typed all the same.
+    let known = lock::number_of(sheet, &handles, handle, of.dimension).ok().flatten();
+    if let Some(literal) = known.filter(|of| of.is_locked) {
+        let (token, value) = read(&of.text, &literal)?;
+        return Ok(vec![match token {
+            Some(token) => Change::written(&literal, Some(token)),
+            None => Change::new(&literal, value * literal.factor(), FINE * of.grid),
+        }]);
+    }
+    let (to, typed) = wanted(sheet, picture, of, (&handles, handle, placed))?;
+    let held = Held::take(sheet, picture, &of.port, false)?;
+    let dragged = held.changes(to, of.grid)?;
+    let away = between(dragged.to, to);
+    if held.has_locks() && away[0].hypot(away[1]) > FINE * of.grid {
+        return Err(Refusal::Held(of.port.clone()));
+    }
+    let mut changes = dragged.changes;
     if let Some((literal, token)) = typed {
         let written = Change::written(&literal, Some(token));
         match changes.iter_mut().find(|change| change.literal.range == literal.range) {
@@ -160,4 +162,56 @@ pub(crate) fn changes(sheet: &Sheet<'_>, picture: &Picture, of: &Typed) -> Resul
         }
     }
     Ok(changes)
+}
+
+/// The place to which a typed dimension asks the pin, and the number that says it as it was typed.
+fn wanted(
+    sheet: &Sheet<'_>,
+    picture: &Picture,
+    of: &Typed,
+    (handles, handle, placed): (&[Handle<'_>], &Handle<'_>, &Placed),
+) -> Result<(Point, Token), Refusal> {
+    let (numbers, literal) = match &handle.place {
+        Place::Numbers { numbers, .. } => (Some(&**numbers), numbers.each_ref()),
+        Place::Polar { polar, .. } => (None, [&polar.length; 2]),
+        Place::Expression(text) => {
+            return Err(Refusal::Expression { port: of.port.clone(), text: text.clone() });
+        }
+    };
+    Ok(match of.dimension {
+        Dimension::X | Dimension::Y => {
+            let axis = usize::from(of.dimension == Dimension::Y);
+            let (token, value) = read(&of.text, literal[axis])?;
+            let mut to = placed.at;
+            to[axis] = value * literal[axis].factor();
+            let stands = |numbers: &&[Literal; 2]| {
+                handle.axes == Axes::Absolute || is_as_drawn(handle.axes, placed, numbers)
+            };
+            (to, numbers.filter(stands).and(token).map(|token| (literal[axis].clone(), token)))
+        }
+        Dimension::Length | Dimension::Angle => match Bar::of(sheet, handles, handle) {
+            Some(bar) => of_bar(&bar, picture, placed, of)?,
+            None => (of_line(handles, handle, picture, (placed, literal[0]), of)?, None),
+        },
+    })
+}
+
+/// The length or the angle of a bar one end of which stands at the other one.
+fn of_polar(polar: &Polar, is_own: bool, turn: f64, of: &Typed) -> Result<Change, Refusal> {
+    let is_angle = of.dimension == Dimension::Angle;
+    let literal = if is_angle { &polar.angle } else { &polar.length };
+    let (token, value) = read(&of.text, literal)?;
+    let si = value * literal.factor();
+    let near = |angle: f64| angle + ((literal.si() - angle) / TAU).round() * TAU;
+    if !is_angle && si <= 0.0 {
+        return Err(Refusal::NoLength);
+    }
+    // From the other end it looks back.
+    let back = if is_own || !is_angle { 0.0 } else { PI };
+    let away = if is_angle { turn + back } else { 0.0 };
+    Ok(match token.filter(|_| away.abs() < ROUNDING) {
+        Some(token) => Change::written(literal, Some(token)),
+        None if is_angle => Change::new(literal, near(si - away), FINE * of.grid),
+        None => Change::new(literal, si, FINE * of.grid),
+    })
 }

@@ -27,6 +27,9 @@ const STYLE_OF_EDITOR: &str = include_str!("../page/playground.css");
 const UNPACK: &str = include_str!("../page/unpack.js");
 /// Reads the letters in which they stand.
 const UNDENSE: &str = include_str!("../page/src/dense.js");
+/// The start of a page with an editor, whose script is compressed further.
+const UNPACK_FURTHER: &str = include_str!("../page/unpackfurther.js");
+const UNLZMA: &str = include_str!("../page/src/lzma.js");
 /// The style until then.
 const UNSEEN: &str = "body > :not(noscript) { visibility: hidden; }";
 
@@ -50,8 +53,8 @@ pub struct Page {
 /// The editor of a page in which declarations are typed.
 #[derive(Clone, Debug)]
 struct Editor {
-    /// The script of the editor.
-    script: String,
+    /// The script of the editor and of the page, compressed.
+    script: Vec<u8>,
     /// The module, compressed.
     module: Vec<u8>,
     /// Names and texts to begin with, as JSON.
@@ -87,14 +90,19 @@ impl Page {
 
     /// Adds an editor in which declarations are typed; its module compiles mechanisms from texts (`examples/playground`).
     ///
-    /// `script` defines `plmEditor`, made of the folder `page/editor`; `module` is compressed by `xz --format=lzma`; `gallery` has
-    /// names and texts to begin with, and the page opens with the first.
+    /// `script` defines `plmEditor`, made of the folder `page/editor`, and goes on with [`editor_script`](Self::editor_script); it and
+    /// `module` are compressed by `xz --format=lzma`. `gallery` has names and texts to begin with, and the page opens with the first.
     #[must_use]
-    pub fn with_editor(mut self, script: &str, module: &[u8], gallery: &[(String, String)]) -> Self {
+    pub fn with_editor(mut self, script: &[u8], module: &[u8], gallery: &[(String, String)]) -> Self {
         let texts = gallery.iter().map(|(name, text)| serde_json::json!({ "name": name, "text": text }));
         let gallery = texts.collect::<serde_json::Value>().to_string();
-        self.editor = Some(Editor { script: script.to_owned(), module: module.to_vec(), gallery });
+        self.editor = Some(Editor { script: script.to_vec(), module: module.to_vec(), gallery });
         self
+    }
+
+    /// The script of a page with an editor, behind that of the editor.
+    pub fn editor_script() -> String {
+        bundle::script(Kind::Playground)
     }
 
     /// Adds links from codes of diagnostics to their pages in the book, which stands at this address: `./` for the folder of the page.
@@ -106,18 +114,16 @@ impl Page {
 
     /// The text of the file.
     pub fn to_html(&self) -> String {
-        let kind = match &self.editor {
-            Some(_) => Kind::Playground,
-            None if self.module.is_empty() => Kind::Results,
-            None => Kind::Live,
+        let (style, script, unpack) = if let Some(editor) = &self.editor {
+            let unpack = [UNDENSE, UNLZMA, UNPACK_FURTHER].map(bundle::without_noise).concat();
+            (STYLE.to_owned() + STYLE_OF_EDITOR, editor.script.clone(), unpack)
+        } else {
+            let kind = if self.module.is_empty() { Kind::Results } else { Kind::Live };
+            let unpack = [UNDENSE, UNPACK].map(bundle::without_noise).concat();
+            (STYLE.to_owned(), deflated(bundle::script(kind).as_bytes()), unpack)
         };
-        let (mut style, mut script) = (STYLE.to_owned(), bundle::script(kind));
-        if let Some(editor) = &self.editor {
-            style += STYLE_OF_EDITOR;
-            script = format!("{}\n{script}", editor.script);
-        }
         let mut packed = held("packed-style", &dense(&deflated(style.as_bytes())));
-        packed += &held("packed", &dense(&deflated(script.as_bytes())));
+        packed += &held("packed", &dense(&script));
         if let Some(editor) = &self.editor {
             packed += &held("packed-gallery", &dense(&deflated(editor.gallery.as_bytes())));
             packed += &held("packed-module", &dense(&editor.module));
@@ -128,7 +134,7 @@ impl Page {
         if !self.module.is_empty() {
             packed += &held("module", &STANDARD.encode(deflated(&self.module)));
         }
-        self.filled(UNSEEN, &(bundle::without_noise(UNDENSE) + &bundle::without_noise(UNPACK)), &packed)
+        self.filled(UNSEEN, &unpack, &packed)
     }
 
     /// The text of the page as a running program serves it.

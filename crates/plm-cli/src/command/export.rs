@@ -8,18 +8,17 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command as Process;
 
-use plm_compiler::span::Span;
 use plm_compiler::token::Sources;
 use plm_compiler::{Assembled, Oracle};
 use plm_dynamic::Mechanism;
-use plm_import::{Exported, Place, PlaceOf};
+use plm_import::{Exported, PlaceOf};
 use plm_source::{Interfaces, Precision, Version};
 use plm_view::package::archive;
 use plm_view::replace_file;
 
 use super::words::Words;
 use super::{Command, Failure, Outcome, Streams};
-use crate::checked::{Checked, Declarations};
+use crate::checked::{Checked, Declarations, place};
 use crate::package::{Package, version};
 use crate::read;
 
@@ -286,15 +285,6 @@ fn link(address: &str, text: &str, sources: &Sources) -> Result<String, String> 
     }
     plm_view::playground_link(address, text)
         .ok_or_else(|| "the declaration is too long for a link".to_owned())
-}
-
-/// The place of a span of the declaration.
-fn place(sources: &Sources, span: Span) -> Place {
-    let source = sources.get(span.source);
-    let at = source.and_then(|source| source.place(span)).map(|(at, _)| at);
-    let [line, column] =
-        at.map_or([1; 2], |at| [at.line, at.column].map(|count| u32::try_from(count).unwrap_or(u32::MAX)));
-    Place { file: source.map_or("", |source| source.name.as_str()).into(), line, column }
 }
 
 /// Writes files; none where one has other contents.

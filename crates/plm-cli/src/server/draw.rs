@@ -1,31 +1,23 @@
 //! Drawing: gestures on a picture and the edits that they are, as JSON. No message of the protocol asks for it; pages do.
 //!
 //! `plm/draw` takes `{ textDocument, gesture, places, text }`. A page that draws on a text of its own sends it as `text`. `places` has where
-//! the ports stand; an editor without a picture leaves it out, and the text is compiled for it.
+//! the ports stand; an editor without a picture leaves it out, and the text is compiled for it. A pose as `start` is tried on the text.
 
 use std::ops::Range;
 
 use plm_compiler::without_panic;
 use plm_draw::{
-    Dimension, Drag, Drawn, Edit, End, GROUND, Gesture, Handle, Held, Literal, Picture, Place, Placed, Point,
-    PortName, Refusal, Sheet, SketchPart, TOOLS, Typed, draw, follow, lift,
+    Dimension, Drag, Drawn, Edit, GROUND, Handle, Held, Literal, Picture, Place, Placed, PortName, Refusal,
+    Sheet, SketchPart, TOOLS, draw, follow, lift,
 };
 use serde_json::{Value, json};
 
 use super::document::Document;
+use super::gesture::{DIMENSIONS, Unread, dragged, gesture, grid, placed, point, port};
+use super::start::{self, PoseOf};
 use super::text;
 use crate::checked::checked;
 use crate::excerpt::{excerpts, is_rust};
-
-/// Dimensions by their words.
-const DIMENSIONS: [(&str, Dimension); 4] =
-    [("x", Dimension::X), ("y", Dimension::Y), ("length", Dimension::Length), ("angle", Dimension::Angle)];
-
-/// The step of a picture that says none, m.
-const GRID: f64 = 1e-3;
-
-/// A request that cannot be read, and what was expected.
-struct Unread(&'static str);
 
 /// The answer to a gesture on the first declaration of a text; `{ why }` where it changes nothing.
 pub(super) fn answered(document: &Document, params: &Value) -> Value {
@@ -93,6 +85,7 @@ fn answer(name: &str, text: &str, masked: Option<&str>, params: &Value) -> Value
         "tools" => {
             return TOOLS.iter().map(|tool| json!({ "tool": tool.word, "title": tool.title })).collect();
         }
+        "start" => return begun(name, text, masked, asked),
         _ => {}
     }
     let picture = picture_of(&params["places"])
@@ -111,6 +104,21 @@ fn answer(name: &str, text: &str, masked: Option<&str>, params: &Value) -> Value
     result.unwrap_or_else(|Unread(expected)| unread(expected))
 }
 
+/// The edits after which a text begins in the pose of a picture.
+fn begun(name: &str, text: &str, masked: Option<&str>, asked: &Value) -> Value {
+    let pose = |of: &Value| {
+        let at = point(&of["at"]).ok()?;
+        let body = of["body"].as_str()?.to_owned();
+        Some(PoseOf { body, pose: [at[0], at[1], of["angle"].as_f64()?] })
+    };
+    let poses: Option<Vec<PoseOf>> = asked["poses"].as_array().and_then(|all| all.iter().map(pose).collect());
+    let Some(poses) = poses else { return unread("poses of bodies: body, at, angle") };
+    match start::begun(&start::Source { name, text, masked }, &poses, grid(asked)) {
+        Ok(drawn) => shown(text, Ok(drawn)),
+        Err(why) => json!({ "why": why }),
+    }
+}
+
 /// The ports of a text as it is assembled; none where it has errors.
 fn assembled(name: &str, text: &str, masked: Option<&str>) -> Picture {
     let Some(oracle) = checked(name, text, masked).expansion.oracle else { return Picture::default() };
@@ -127,7 +135,7 @@ fn assembled(name: &str, text: &str, masked: Option<&str>) -> Picture {
 }
 
 fn handles(sheet: &Sheet<'_>) -> Value {
-    let number = |of: &Literal| json!({ "range": text::range(sheet.text, &of.range), "value": of.value, "factor": of.factor(), "unit": of.unit.text });
+    let number = |of: &Literal| json!({ "range": text::range(sheet.text, &of.range), "value": of.value, "factor": of.factor(), "unit": of.unit.text, "locked": of.is_locked });
     let shown = |handle: &Handle<'_>| {
         let mut shown = named(&handle.name);
         shown["turns"] = json!(handle.turns);
@@ -135,6 +143,11 @@ fn handles(sheet: &Sheet<'_>) -> Value {
         match &handle.place {
             Place::Numbers { numbers, through, .. } => {
                 shown["numbers"] = numbers.iter().map(number).collect();
+                shown["through"] = json!(through);
+            }
+            Place::Polar { polar, through, .. } => {
+                shown["length"] = number(&polar.length);
+                shown["direction"] = number(&polar.angle);
                 shown["through"] = json!(through);
             }
             Place::Expression(text) => shown["expression"] = json!(text),
@@ -147,11 +160,16 @@ fn handles(sheet: &Sheet<'_>) -> Value {
 /// The text as it is drawn before it is a mechanism.
 fn sketch(sheet: &Sheet<'_>) -> Value {
     let sketch = sheet.sketch();
+    let locks = sheet.locks();
+    let word = |of: &Dimension| DIMENSIONS.iter().find(|(_, known)| known == of).map(|(word, _)| *word);
     let port = |placed: &Placed| {
         let mut shown = named(&placed.name);
         shown["at"] = json!(placed.at);
         shown["angle"] = json!(placed.angle);
         shown["guessed"] = json!(sketch.guessed.contains(&placed.name));
+        if let Some((_, locks)) = locks.iter().find(|(name, _)| *name == placed.name) {
+            shown["locks"] = locks.iter().filter_map(word).collect();
+        }
         shown
     };
     let part = |part: &SketchPart| json!({ "name": part.name, "kind": part.kind, "pin": part.is_pin, "ports": part.ports.iter().map(named).collect::<Value>() });
@@ -178,6 +196,7 @@ fn shown(text: &str, drawn: Result<Drawn, Refusal>) -> Value {
             "to": drawn.to,
             "also": drawn.also.iter().map(named).collect::<Value>(),
             "open": drawn.open,
+            "told": drawn.told,
             "made": drawn.made,
         }),
         Err(why) => json!({ "why": why.to_string() }),
@@ -186,89 +205,6 @@ fn shown(text: &str, drawn: Result<Drawn, Refusal>) -> Value {
 
 fn named(port: &PortName) -> Value {
     json!({ "owner": port.owner, "port": port.port })
-}
-
-fn gesture(asked: &Value) -> Result<Gesture, Unread> {
-    let word = |of: &str, what| asked[of].as_str().map(str::to_owned).ok_or(Unread(what));
-    let grid = grid(asked);
-    let is_of_port = asked["port"].is_object();
-    Ok(match asked["kind"].as_str().unwrap_or_default() {
-        "drag" => Gesture::Drag(dragged(asked)?),
-        "typed" => Gesture::Typed(Typed {
-            port: port(&asked["port"])?,
-            dimension: DIMENSIONS
-                .iter()
-                .find(|(word, _)| asked["dimension"] == *word)
-                .map(|(_, dimension)| *dimension)
-                .ok_or(Unread("dimension: x, y, length or angle"))?,
-            text: word("text", "text")?,
-            grid,
-        }),
-        "bar" => Gesture::Bar { ends: [end(&asked["ends"][0])?, end(&asked["ends"][1])?], grid },
-        "ground" => Gesture::Ground { port: port(&asked["port"])?, grid },
-        "merge" => {
-            let onto = port(&asked["onto"])?;
-            let own = port(&asked["port"])?;
-            let to = asked["to"].as_array().map_or(Ok([0.0; 2]), |_| point(&asked["to"]))?;
-            Gesture::Merge { drag: Drag { port: own, to, grid, free: asked["free"] == true }, onto }
-        }
-        "motor" => Gesture::Motor { body: word("body", "body")? },
-        "join" => {
-            let ports = [port(&asked["ports"][0])?, port(&asked["ports"][1])?];
-            Gesture::Join { tool: word("tool", "tool")?, ports, grid }
-        }
-        "slide" => Gesture::Slide { port: port(&asked["port"])?, toward: point(&asked["toward"])?, grid },
-        "groove" => Gesture::Groove { port: port(&asked["port"])?, body: word("body", "body")?, grid },
-        "port" => Gesture::Port { body: word("body", "body")?, end: end(&asked["end"])?, grid },
-        "mirror" => Gesture::Mirror { port: port(&asked["port"])?, grid },
-        "copy" => Gesture::Copy { body: word("body", "body")?, by: point(&asked["by"])?, grid },
-        "lock" => Gesture::Lock { port: port(&asked["port"])?, axis: usize::from(asked["dimension"] == "y") },
-        "set" => {
-            let value = asked["value"].as_f64().ok_or(Unread("value that is a number"))?;
-            Gesture::Set { name: word("name", "name")?, value }
-        }
-        "unpin" => Gesture::Unpin { port: port(&asked["port"])? },
-        "delete" if is_of_port => Gesture::DeletePort { port: port(&asked["port"])? },
-        "delete" => Gesture::Delete { name: word("name", "name")? },
-        "rename" if is_of_port => {
-            Gesture::RenamePort { from: port(&asked["port"])?, to: word("to", "new name")? }
-        }
-        "rename" => Gesture::Rename { from: word("name", "name")?, to: word("to", "new name")? },
-        _ => return Err(Unread("kind that is known")),
-    })
-}
-
-fn grid(asked: &Value) -> f64 {
-    asked["grid"].as_f64().filter(|grid| *grid > 0.0).unwrap_or(GRID)
-}
-
-fn dragged(asked: &Value) -> Result<Drag, Unread> {
-    let (port, to) = (port(&asked["port"])?, point(&asked["to"])?);
-    Ok(Drag { port, to, grid: grid(asked), free: asked["free"] == true })
-}
-
-fn point(of: &Value) -> Result<Point, Unread> {
-    let [x, y] = [0, 1].map(|axis| of[axis].as_f64());
-    x.zip(y).map(|(x, y)| [x, y]).ok_or(Unread("point of two numbers"))
-}
-
-fn port(of: &Value) -> Result<PortName, Unread> {
-    let [owner, port] = ["owner", "port"].map(|word| of[word].as_str());
-    owner.zip(port).map(|(owner, port)| PortName::new(owner, port)).ok_or(Unread("port with its owner"))
-}
-
-fn end(of: &Value) -> Result<End, Unread> {
-    if of["owner"].is_string() {
-        return port(of).map(End::Port);
-    }
-    let at = point(&of["at"])?;
-    Ok(if of["ground"] == true { End::Ground(at) } else { End::Point(at) })
-}
-
-fn placed(of: &Value) -> Option<Placed> {
-    let name = port(of).ok()?;
-    let at = point(&of["at"]).ok()?;
-    Some(Placed { name, at, angle: of["angle"].as_f64().unwrap_or_default() })
 }
 
 #[cfg(test)]
@@ -339,7 +275,7 @@ pub P {
         assert_eq!(sketch["parts"][0]["pin"], true);
         let slide = json!({ "kind": "slide", "port": port, "toward": [0.0, 0.2], "grid": 1e-3 });
         let made = edited(TEXT, &draw(TEXT, slide, places.clone()));
-        assert!(made.contains("ground { port g1: (0, 100) mm, axis: 90 deg; }"), "{made}");
+        assert!(made.contains("ground { port g1: p1, axis: 90 deg; }"), "{made}");
         let opened = json!({ "kind": "unpin", "port": { "owner": "crank", "port": "a" } });
         assert!(!edited(TEXT, &draw(TEXT, opened, places.clone())).contains("revolute"));
         let lift = json!({ "kind": "lift", "port": port, "to": [0.0, 0.1], "grid": 1e-3 });

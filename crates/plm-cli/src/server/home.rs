@@ -1,13 +1,15 @@
 //! Answers for the playground that no message of the protocol asks for: the first declaration of a text as files, to take home, and its
 //! equations of motion.
 
+use plm_compiler::Oracle;
 use plm_compiler::token::Sources;
 use plm_dynamic::Mechanism;
+use plm_import::{Cutting, Drawing, to_links};
 use plm_source::{File, Precision, Version};
 use serde_json::{Map, Value, json};
 
 use super::document::Document;
-use crate::checked::{Checked, checked};
+use crate::checked::{Checked, checked, place};
 use crate::equations;
 use crate::package::{Package, version};
 
@@ -23,15 +25,45 @@ pub(super) fn package(document: &Document) -> Value {
 }
 
 /// Its C source, or the files of an FMU of that (`kind` is `c`, `fmi2` or `fmi3`), with what has to be told of them.
-pub(super) fn source(document: &Document, kind: &Value) -> Value {
+pub(super) fn source(document: &Document, params: &Value) -> Value {
     let Some(own) = text(document) else { return Value::Null };
-    let version = match kind.as_str() {
+    let version = match params["kind"].as_str() {
         Some("c") => None,
         Some("fmi2") => Some(Version::Two),
         Some("fmi3") => Some(Version::Three),
-        _ => return json!({ "why": "a source is of the kind c, fmi2 or fmi3" }),
+        Some("dxf") => return links(document, Drawing::Dxf, &params["motion"]),
+        Some("svg") => return links(document, Drawing::Svg, &params["motion"]),
+        _ => return json!({ "why": "a source is of the kind c, fmi2, fmi3, dxf or svg" }),
     };
     made(&document.name, &own, version).unwrap_or_else(|why| json!({ "why": why }))
+}
+
+/// Its links in true size, with layers for a motion: the poses of all bodies at moments of it, x, y and angle of each in turn.
+fn links(document: &Document, drawing: Drawing, motion: &Value) -> Value {
+    let Some(own) = text(document) else { return Value::Null };
+    drawn(&document.name, &own, drawing, motion).unwrap_or_else(|why| json!({ "why": why }))
+}
+
+fn drawn(name: &str, text: &str, drawing: Drawing, motion: &Value) -> Result<Value, String> {
+    let Checked { sources, expansion } = checked(name, text, None);
+    let first = || expansion.diagnostics.sorted().first().map(|of| of.render(&sources)).unwrap_or_default();
+    let mechanism = expansion.oracle.as_ref().map(Oracle::assembled).ok_or_else(first)?;
+    let count = mechanism.bodies.len();
+    let start: Vec<[f64; 3]> = mechanism.bodies.iter().map(|body| body.pose).collect();
+    let moments = motion.as_array().into_iter().flatten().map(|moment| {
+        let numbers: Vec<f64> = moment.as_array().into_iter().flatten().filter_map(Value::as_f64).collect();
+        numbers.chunks_exact(3).map(|pose| [pose[0], pose[1], pose[2]]).collect::<Vec<[f64; 3]>>()
+    });
+    let motion: Vec<Vec<[f64; 3]>> = std::iter::once(start).chain(moments).collect();
+    if motion.iter().any(|poses| poses.len() != count) {
+        return Err(format!("a moment of the motion has a pose of each of the {count} bodies: x, y, angle"));
+    }
+    let links = to_links(&mechanism, &motion, drawing, &Cutting::default(), &|span| place(&sources, span));
+    let notices: Vec<String> = links.notices.iter().map(ToString::to_string).collect();
+    let files = links.files.into_iter().map(|(name, text)| (name, Value::String(text)));
+    Ok(
+        json!({ "name": format!("{}_links", mechanism.name), "files": files.collect::<Map<_, _>>(), "notices": notices }),
+    )
 }
 
 fn made(name: &str, text: &str, version: Option<Version>) -> Result<Value, String> {

@@ -5,6 +5,7 @@
 mod complete;
 mod document;
 mod draw;
+mod gesture;
 mod hints;
 mod home;
 mod meaning;
@@ -12,6 +13,7 @@ mod names;
 mod parts;
 mod path;
 mod signature;
+mod start;
 mod streams;
 mod symbols;
 mod text;
@@ -153,7 +155,7 @@ impl Server {
             "textDocument/formatting" => Some(layout(document)),
             "textDocument/codeAction" => Some(fixes(document, &params["range"])),
             "plm/package" => Some(home::package(document)),
-            "plm/source" => Some(home::source(document, &params["kind"])),
+            "plm/source" => Some(home::source(document, &params)),
             "plm/equations" => Some(home::equations(document)),
             "plm/draw" => Some(draw::answered(document, &params)),
             _ => None,

@@ -1,5 +1,7 @@
 //! A drag of a page: a move costs a small part of a compilation, and gives the values of the drag by itself.
 
+mod begun;
+
 use std::fs;
 use std::time::{Duration, Instant};
 
@@ -11,7 +13,7 @@ use serde_json::{Value, json};
 use super::root;
 
 /// The text of the first declaration of a file, which may be Rust.
-fn declaration(path: &str) -> String {
+pub(crate) fn declaration(path: &str) -> String {
     let text = fs::read_to_string(root().join(path)).unwrap();
     let Some(begin) = text.find("mechanism! {") else { return text };
     let (mut depth, begin) = (1, begin + "mechanism! {".len());
@@ -44,12 +46,28 @@ fn places(text: &str) -> Value {
     ground.chain(of_bodies).collect()
 }
 
-fn asked(server: &mut Server, text: &str, places: &Value, gesture: &Value) -> Value {
+pub(crate) fn asked(server: &mut Server, text: &str, places: &Value, gesture: &Value) -> Value {
     let params =
         json!({ "textDocument": { "uri": "plm:p.plm" }, "text": text, "gesture": gesture, "places": places });
     let request = json!({ "jsonrpc": "2.0", "id": 1, "method": "plm/draw", "params": params }).to_string();
     let answers = server.message(&request);
     serde_json::from_str::<Value>(&answers[0]).unwrap()["result"].take()
+}
+
+/// A text after the edits of an answer.
+pub(crate) fn edited(text: &str, answer: &Value) -> String {
+    let offset = |place: &Value| {
+        let [line, character] = ["line", "character"].map(|of| place[of].as_u64().unwrap() as usize);
+        let start: usize = text.split_inclusive('\n').take(line).map(str::len).sum();
+        // The texts of these tests have letters of one unit alone.
+        start + character
+    };
+    let mut made = text.to_owned();
+    for edit in answer["edits"].as_array().unwrap().iter().rev() {
+        let [start, end] = ["start", "end"].map(|end| offset(&edit["range"][end]));
+        made.replace_range(start..end, edit["newText"].as_str().unwrap());
+    }
+    made
 }
 
 /// The least of some times of a compilation.

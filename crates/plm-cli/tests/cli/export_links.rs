@@ -6,6 +6,8 @@ use std::f64::consts::PI;
 use std::fs;
 use std::path::Path;
 
+use serde_json::{Value, json};
+
 use super::{Said, folder, plm_in};
 
 /// A four-bar of absolute points, whose coupler has a third pin and a window.
@@ -272,4 +274,46 @@ pub P {
         let said = export(&folder, text, words);
         assert!(said.code == 2 && said.errors.contains(why), "{words:?} {said:?}");
     }
+}
+
+/// An editor, or a page, gets the same files over the protocol; with the motion of a run the same layers.
+#[test]
+fn links_over_the_protocol_are_those_of_the_command() {
+    let folder = folder();
+    assert_eq!(export(&folder, FOUR_BAR, &["--dxf", "cut", "--until", "1"]).code, 0);
+    assert_eq!(export(&folder, FOUR_BAR, &["--svg", "still"]).code, 0);
+    let mut run = plm_dynamic::Mechanism::from_text(FOUR_BAR).unwrap().start().unwrap();
+    let moments = (1..=360).map(|k| {
+        run.step_to(f64::from(k) / 360.0).unwrap();
+        let names: Vec<String> = run.bodies().map(str::to_owned).collect();
+        let pose = |name: &String| {
+            let at = run.body(name).unwrap();
+            [at.x, at.y, at.angle]
+        };
+        names.iter().flat_map(pose).collect::<Vec<f64>>()
+    });
+    let motion: Vec<Vec<f64>> = moments.collect();
+    let mut server = plm_cli::Server::default();
+    let mut said = |message: Value| {
+        let answers = server.message(&message.to_string());
+        serde_json::from_str::<Value>(&answers[0]).unwrap()["result"].take()
+    };
+    let document = json!({ "uri": "plm:p.plm", "languageId": "plm", "version": 1, "text": FOUR_BAR });
+    said(json!({ "method": "textDocument/didOpen", "params": { "textDocument": document } }));
+    let mut source = |kind: &str, motion: &[Vec<f64>]| {
+        let params = json!({ "textDocument": document, "kind": kind, "motion": motion });
+        said(json!({ "id": 1, "method": "plm/source", "params": params }))
+    };
+    for (kind, motion, made) in [("dxf", &motion[..], "cut"), ("svg", &[], "still")] {
+        let answer = source(kind, motion);
+        assert_eq!(answer["name"], "P_links");
+        let files = answer["files"].as_object().unwrap_or_else(|| panic!("{answer}"));
+        assert_eq!(files.len(), 6, "a sheet, three links and two tables");
+        for (name, text) in files {
+            let expected = fs::read_to_string(folder.join(made).join(name)).unwrap();
+            assert_eq!(text.as_str(), Some(&*expected), "{kind} {name}");
+        }
+    }
+    assert!(source("svg", &[vec![0.0; 6]])["why"].as_str().unwrap().contains("each of the 3 bodies"));
+    assert!(source("pdf", &[])["why"].as_str().unwrap().contains("c, fmi2, fmi3, dxf or svg"));
 }

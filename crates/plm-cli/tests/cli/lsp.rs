@@ -1,6 +1,7 @@
 //! `plm lsp`, driven over its protocol.
 
 mod client;
+mod drawing;
 
 use std::io::Write;
 

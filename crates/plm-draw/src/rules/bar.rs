@@ -7,6 +7,9 @@ use std::f64::consts::TAU;
 
 use plm_compiler::syntax::ast::{Expr, ExprKind};
 
+use std::ops::Range;
+
+use super::locus::{Locus, around};
 use super::{Changes, FINE};
 use crate::names::PortName;
 use crate::number::Literal;
@@ -22,8 +25,8 @@ const SAME: f64 = 1e-9;
 pub(crate) struct Bar {
     /// The end that stays.
     pub(crate) other: PortName,
-    /// Is its angle prescribed?
-    pub(crate) is_driven: bool,
+    /// Is its angle prescribed, or that of a name or a formula?
+    is_held: bool,
     /// The axis of the body on which both ends lie.
     axis: usize,
     /// The numbers of the end that goes, and of the other one, on that axis.
@@ -59,10 +62,9 @@ impl Bar {
         if before == 0.0 {
             return None;
         }
-        let start = |name: &str| {
-            let start = body.starts.iter().find(|start| start.coordinate.text == name)?;
-            sheet.literal(&start.value, if name == "angle" { "rad" } else { "m" })
-        };
+        let written = |name: &str| body.starts.iter().find(|start| start.coordinate.text == name);
+        let start =
+            |name: &str| sheet.number(&written(name)?.value, if name == "angle" { "rad" } else { "m" });
         let middle = field(body, "centre").and_then(|centre| sheet.pair(centre));
         let middle = middle.map(|(numbers, ..)| numbers).filter(|numbers| numbers[1 - axis].is_zero());
         let middle = middle.map(|numbers| numbers[axis].clone());
@@ -70,7 +72,9 @@ impl Bar {
         let lengths = field(body, "inertia").map_or_else(Vec::new, |of| lengths_in(sheet, of, before));
         let other = other.name.clone();
         let (angle, origin) = (start("angle"), [start("x"), start("y")]);
-        Some(Bar { other, is_driven: handle.is_driven, axis, own, end, angle, origin, middle, lengths })
+        let is_free = written("angle").is_none() || angle.as_ref().is_some_and(|angle| !angle.is_locked);
+        let is_held = handle.is_driven || !is_free;
+        Some(Bar { other, is_held, axis, own, end, angle, origin, middle, lengths })
     }
 
     /// The numbers of the bar with its end at a point.
@@ -107,10 +111,10 @@ impl Bar {
         if self.axis == 1 {
             turn -= 0.25 * TAU;
         }
-        if self.is_driven {
+        if self.is_held {
             turn = end.angle;
         }
-        if let Some(angle) = self.angle.as_ref().filter(|_| !self.is_driven) {
+        if let Some(angle) = self.angle.as_ref().filter(|_| !self.is_held) {
             let near = turn + ((angle.si() - turn) / TAU).round() * TAU;
             changes.put(angle, near, step / length);
             turn = near;
@@ -124,6 +128,25 @@ impl Bar {
             }
         }
         Ok(())
+    }
+
+    /// Lines and circles on which its end at `at` stays, with the other one at `end`.
+    pub(super) fn loci(&self, end: Point, at: Point) -> Vec<(Range<usize>, Locus)> {
+        let none = || Literal {
+            is_locked: self.is_held,
+            range: self.own.range.end..self.own.range.end,
+            ..self.own.clone()
+        };
+        let angle = self
+            .angle
+            .as_ref()
+            .map_or_else(none, |angle| Literal { is_locked: self.is_held, ..angle.clone() });
+        around(end, at, [&self.own, &angle])
+    }
+
+    /// The number that says the length alone, where the other end is the origin.
+    pub(crate) fn length(&self) -> Option<Literal> {
+        self.end.is_zero().then(|| self.own.clone())
     }
 
     /// The number that says the length alone, with a token for it: where the other end is the origin.

@@ -5,16 +5,19 @@
 
 mod bar;
 mod free;
+mod locus;
 
 use std::ops::Range;
 
+use crate::branch::Dyad;
 use crate::names::PortName;
 use crate::number::{Change, Literal};
-use crate::picture::{Picture, Placed, Point, between, on_ray};
+use crate::picture::{Picture, Placed, Point, between, turned};
 use crate::refusal::Refusal;
-use crate::sheet::{Axes, Handle, Joint, Place, Sheet};
+use crate::sheet::{Axes, Handle, Joint, Place, Polar, Sheet};
 pub(crate) use bar::Bar;
 pub(crate) use free::turn as turn_of_axes;
+use locus::Locus;
 
 /// Numbers are written to this part of the grid, so that turned axes and lengths are as exact as the hand.
 pub(crate) const FINE: f64 = 0.01;
@@ -38,12 +41,12 @@ pub struct Drag {
 /// A rule for the numbers of a port.
 #[derive(Clone, Debug)]
 pub(crate) enum Rule {
-    /// A point of a drawing that has a name: its two numbers, once for all bodies.
-    Through,
+    /// A point of a drawing that stands at a length and an angle from another one: both, once for all bodies.
+    Polar(Box<Polar>),
     /// The end of a bar: its length and its angle.
     Bar(Box<Bar>),
-    /// The port goes in the axes of its body, which stays.
-    Free,
+    /// The port goes in the axes of its body, which stays; a point of a drawing that has a name, once for all bodies.
+    Free(Box<[Literal; 2]>),
 }
 
 /// A pin with what becomes of it.
@@ -57,23 +60,34 @@ pub(crate) struct Dragged {
     pub also: Vec<PortName>,
     /// Parts at the pin that hold it to more than a place, so that the numbers may not close them: slides, slots.
     pub open: Vec<String>,
+    /// Bars that have come into line, or meet on the other side.
+    pub told: Vec<String>,
 }
 
 impl Rule {
     /// The rule of a port.
-    fn of(sheet: &Sheet<'_>, handles: &[Handle<'_>], handle: &Handle<'_>, free: bool) -> Rule {
-        if let Place::Numbers { through: Some(_), .. } = &handle.place {
-            return Rule::Through;
+    fn of(
+        sheet: &Sheet<'_>,
+        handles: &[Handle<'_>],
+        handle: &Handle<'_>,
+        free: bool,
+    ) -> Result<Rule, Refusal> {
+        match &handle.place {
+            Place::Numbers { numbers, through, .. } => {
+                let bar = if free || through.is_some() { None } else { Bar::of(sheet, handles, handle) };
+                Ok(bar.map_or_else(|| Rule::Free(numbers.clone()), |bar| Rule::Bar(Box::new(bar))))
+            }
+            Place::Polar { polar, .. } => Ok(Rule::Polar(polar.clone())),
+            Place::Expression(text) => {
+                Err(Refusal::Expression { port: handle.name.clone(), text: text.clone() })
+            }
         }
-        let bar = if free { None } else { Bar::of(sheet, handles, handle) };
-        bar.map_or(Rule::Free, |bar| Rule::Bar(Box::new(bar)))
     }
 }
 
 /// A port of a pin, in the text and in the picture.
 #[derive(Clone, Debug)]
 struct Member {
-    numbers: [Literal; 2],
     axes: Axes,
     placed: Placed,
     rule: Rule,
@@ -87,6 +101,10 @@ pub struct Held {
     members: Vec<Member>,
     picture: Picture,
     open: Vec<String>,
+    /// Bars whose assembly may flip.
+    dyads: Vec<Dyad>,
+    /// All ports of the pin.
+    pin: Vec<PortName>,
     /// Ports of other bodies, with where their numbers stand.
     elsewhere: Vec<(PortName, [Range<usize>; 2])>,
 }
@@ -103,15 +121,8 @@ impl Held {
             let found = handles.iter().find(|handle| handle.name == *name);
             let handle = found.ok_or_else(|| Refusal::Unknown(name.to_string()))?;
             let placed = picture.port(name).ok_or_else(|| Refusal::NotShown(name.clone()))?.clone();
-            let rule = Rule::of(sheet, &handles, handle, free);
-            match &handle.place {
-                Place::Numbers { numbers, .. } => {
-                    members.push(Member { numbers: (**numbers).clone(), axes: handle.axes, placed, rule });
-                }
-                Place::Expression(text) => {
-                    return Err(Refusal::Expression { port: name.clone(), text: text.clone() });
-                }
-            }
+            let rule = Rule::of(sheet, &handles, handle, free)?;
+            members.push(Member { axes: handle.axes, placed, rule });
         }
         let joints = sheet.joints();
         let holds = |joint: &&Joint| {
@@ -123,10 +134,15 @@ impl Held {
             Place::Numbers { numbers, .. } => {
                 Some((handle.name.clone(), numbers.each_ref().map(|number| number.range.clone())))
             }
+            Place::Polar { polar, .. } => {
+                Some((handle.name.clone(), polar.numbers().map(|number| number.range.clone())))
+            }
             Place::Expression(_) => None,
         });
         let elsewhere = elsewhere.collect();
-        Ok(Held { port: port.clone(), free, members, picture: picture.clone(), open, elsewhere })
+        let dyads = Dyad::all(sheet, &handles);
+        let (port, picture) = (port.clone(), picture.clone());
+        Ok(Held { port, free, members, picture, open, dyads, pin, elsewhere })
     }
 
     /// Is it the pin of this port in the same picture, so that it need not be taken again?
@@ -141,12 +157,13 @@ impl Held {
     pub(crate) fn changes(&self, to: Point, grid: f64) -> Result<Dragged, Refusal> {
         let to = self.held(to)?;
         let mut changes = Changes::default();
-        for Member { numbers, axes, placed, rule } in &self.members {
+        for Member { axes, placed, rule } in &self.members {
             match rule {
                 Rule::Bar(bar) => bar.put(&self.picture, to, grid, &mut changes)?,
                 // The point of a drawing is two numbers in the axes of the first body that names it: those of the pointer, where
                 // the bodies stand as they were drawn.
-                Rule::Through | Rule::Free => free::put((numbers, *axes), placed, to, grid, &mut changes),
+                Rule::Free(numbers) => free::put((numbers, *axes), placed, to, grid, &mut changes),
+                Rule::Polar(polar) => free::put_polar((polar, *axes), placed, to, grid, &mut changes)?,
             }
         }
         // A pin that stays changes nothing: starts are proposals, and need not be what assembly makes of them.
@@ -160,25 +177,54 @@ impl Held {
             |range: &Range<usize>| changes.iter().any(|of| of.is_new() && of.literal.range == *range);
         let also = self.elsewhere.iter().filter(|(_, ranges)| ranges.iter().any(is_changed));
         let also = also.map(|(name, _)| name.clone()).collect();
-        Ok(Dragged { changes, to, also, open: self.open.clone() })
+        let told = self.dyads.iter().filter_map(|dyad| dyad.told(&self.picture, &self.pin, to)).collect();
+        Ok(Dragged { changes, to, also, open: self.open.clone(), told })
     }
 
-    /// The place to which the pin can go: a bar whose angle is prescribed keeps it.
-    fn held(&self, mut to: Point) -> Result<Point, Refusal> {
-        let mut is_held = false;
+    /// The place to which the pin can go: where prescribed angles and locked dimensions let it.
+    fn held(&self, to: Point) -> Result<Point, Refusal> {
+        let held = || Refusal::Held(self.port.clone());
+        let mut loci: Vec<(Range<usize>, Locus)> = Vec::new();
         for member in &self.members {
-            let Rule::Bar(bar) = &member.rule else { continue };
-            if !bar.is_driven {
-                continue;
+            for (range, locus) in self.loci(member)? {
+                // The numbers of a point are those of all bodies that name it.
+                if !loci.iter().any(|(known, _)| *known == range) {
+                    loci.push((range, locus));
+                }
             }
-            let end = self.picture.port(&bar.other).ok_or_else(|| Refusal::NotShown(bar.other.clone()))?;
-            if is_held || end.at == member.placed.at {
-                return Err(Refusal::Held(self.port.clone()));
-            }
-            to = on_ray(end.at, member.placed.at, to);
-            is_held = true;
         }
-        Ok(to)
+        match &loci[..] {
+            [] => Ok(to),
+            [(_, locus)] => locus.nearest(to).ok_or_else(held),
+            _ => Err(held()),
+        }
+    }
+
+    /// Lines and circles on which a port of the pin stays, with the numbers that say so.
+    fn loci(&self, Member { axes, placed, rule }: &Member) -> Result<Vec<(Range<usize>, Locus)>, Refusal> {
+        let turn = turn_of_axes(*axes, placed.angle);
+        match rule {
+            Rule::Free(numbers) => Ok(locus::of_numbers(numbers, placed.at, turn)),
+            Rule::Polar(polar) => {
+                let [x, y] = turned(between(polar.at(), polar.base), turn);
+                let base = [placed.at[0] + x, placed.at[1] + y];
+                Ok(locus::around(base, placed.at, polar.numbers()))
+            }
+            Rule::Bar(bar) => {
+                let end =
+                    self.picture.port(&bar.other).ok_or_else(|| Refusal::NotShown(bar.other.clone()))?;
+                Ok(bar.loci(end.at, placed.at))
+            }
+        }
+    }
+
+    /// Does a name hold a number of the pin?
+    pub(crate) fn has_locks(&self) -> bool {
+        self.members.iter().any(|member| match &member.rule {
+            Rule::Free(numbers) => numbers.iter().any(|number| number.is_locked),
+            Rule::Polar(polar) => polar.numbers().iter().any(|number| number.is_locked),
+            Rule::Bar(bar) => bar.own.is_locked,
+        })
     }
 }
 
@@ -199,7 +245,7 @@ pub(crate) struct Changes {
 impl Changes {
     /// A number that is to be `si`, to a step, unless it has been told already.
     pub(crate) fn put(&mut self, literal: &Literal, si: f64, step: f64) {
-        if !self.has(&literal.range) {
+        if !literal.is_locked && !self.has(&literal.range) {
             self.all.push(Change::new(literal, si, step));
         }
     }

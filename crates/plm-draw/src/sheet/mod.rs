@@ -4,6 +4,7 @@
 
 mod expand;
 mod mention;
+mod polar;
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -21,6 +22,7 @@ use crate::number::Literal;
 use crate::refusal::Refusal;
 pub(crate) use expand::{Turn, expanded};
 pub(crate) use mention::{Mention, mentions, of_expr as mentions_of_expr};
+pub use polar::Polar;
 
 /// A text with its tree.
 pub struct Sheet<'t> {
@@ -55,8 +57,28 @@ pub enum Place<'s> {
         /// The `let` where they stand, and its name.
         through: Option<&'s str>,
     },
+    /// A length and an angle from another point.
+    Polar {
+        /// Both.
+        polar: Box<Polar>,
+        /// The expression.
+        value: Range<usize>,
+        /// The `let` where it stands.
+        through: &'s str,
+    },
     /// Anything else, as it is written.
     Expression(String),
+}
+
+impl Place<'_> {
+    /// The point in the axes in which it is written, m, as far as numbers say it.
+    pub(crate) fn at(&self) -> Option<[f64; 2]> {
+        match self {
+            Place::Numbers { numbers, .. } => Some(numbers.each_ref().map(Literal::si)),
+            Place::Polar { polar, .. } => Some(polar.at()),
+            Place::Expression(_) => None,
+        }
+    }
 }
 
 /// A port that can be drawn.
@@ -150,6 +172,41 @@ impl<'t> Sheet<'t> {
         Literal::of(expr, None, &unit_named(zero), &|of| self.range(of.span))
     }
 
+    /// The number that a name has, which no hand moves: that of a parameter, or of a `let` of the mechanism.
+    fn locked(&self, expr: &Expr, zero: &str) -> Option<Literal> {
+        let ExprKind::Name(IndexedName { ident, indices }) = &expr.kind else { return None };
+        let found = self.items().iter().find_map(|item| match &item.kind {
+            ItemKind::Param(of) if of.name.indices.is_empty() && of.name.ident.text == ident.text => {
+                Some((of.value.as_ref()?, of.unit.as_ref().map_or(zero, |unit| &unit.text)))
+            }
+            ItemKind::Let(of, value) if of.indices.is_empty() && of.ident.text == ident.text => {
+                Some((value, zero))
+            }
+            _ => None,
+        });
+        let (value, zero) = found.filter(|_| indices.is_empty())?;
+        Some(Literal { is_locked: true, ..self.literal(value, zero)? })
+    }
+
+    /// A literal, or the number that a name has.
+    pub(crate) fn number(&self, expr: &Expr, zero: &str) -> Option<Literal> {
+        self.literal(expr, zero).or_else(|| self.locked(expr, zero))
+    }
+
+    /// The name of the parameter or of the `let` whose value a number is.
+    pub(crate) fn name_of_value(&self, literal: &Literal) -> Option<&str> {
+        self.items().iter().find_map(|item| match &item.kind {
+            ItemKind::Param(of) => {
+                let value = of.value.as_ref()?;
+                (self.range(value.span) == literal.whole).then_some(of.name.ident.text.as_str())
+            }
+            ItemKind::Let(of, value) => {
+                (self.range(value.span) == literal.whole).then_some(of.ident.text.as_str())
+            }
+            _ => None,
+        })
+    }
+
     /// The two literals of a point, the range of the pair, and whether they share a unit.
     pub(crate) fn pair(&self, expr: &Expr) -> Option<([Literal; 2], Range<usize>, bool)> {
         let (pair, shared) = match &expr.kind {
@@ -159,7 +216,10 @@ impl<'t> Sheet<'t> {
         let ExprKind::Pair(x, y) = &pair.kind else { return None };
         // A zero takes the unit of its neighbour.
         let neighbour = [x, y].into_iter().find_map(|of| own_unit(of)).unwrap_or_else(|| unit_named("m"));
-        let literal = |of: &Expr| Literal::of(of, shared, &neighbour, &|of| self.range(of.span));
+        let literal = |of: &Expr| {
+            let own = Literal::of(of, shared, &neighbour, &|of| self.range(of.span));
+            own.or_else(|| self.locked(of, "m").filter(|_| shared.is_none()))
+        };
         Some(([literal(x)?, literal(y)?], self.range(expr.span), shared.is_some()))
     }
 
@@ -173,7 +233,7 @@ impl<'t> Sheet<'t> {
         };
         // A turn of a repetition has the same text.
         expanded(self.items(), &mut |item, _| match &item.kind {
-            ItemKind::Let(_, value) => put(value),
+            ItemKind::Let(_, value) => std::iter::once(value).chain(polar::along(value)).for_each(&mut put),
             ItemKind::Ground(ports) => ports.iter().for_each(|port| put(&port.at)),
             ItemKind::Body(body) => {
                 body.ports.iter().map(|port| &port.at).chain(field(body, "centre")).for_each(&mut put);
@@ -197,7 +257,12 @@ impl<'t> Sheet<'t> {
             Some((numbers, pair, is_shared)) => {
                 Place::Numbers { numbers: Box::new(numbers), pair, is_shared, through }
             }
-            None => Place::Expression(self.text_of(at.span).to_owned()),
+            None => match self.polar(expr).zip(through) {
+                Some((polar, through)) => {
+                    Place::Polar { polar: Box::new(polar), value: self.range(expr.span), through }
+                }
+                None => Place::Expression(self.text_of(at.span).to_owned()),
+            },
         }
     }
 
@@ -257,6 +322,23 @@ impl<'t> Sheet<'t> {
             }
         });
         driven
+    }
+
+    /// Things that something moves: those with prescribed angles, and those of joints with a drive.
+    pub(crate) fn moved(&self) -> BTreeSet<String> {
+        let mut moved = self.driven();
+        expanded(self.items(), &mut |item, turn| {
+            let ItemKind::Instance(instance) = &item.kind else { return };
+            if instance
+                .fields
+                .iter()
+                .any(|field| field.path.last().is_some_and(|name| name.ident.text == "drive"))
+            {
+                let ports = instance.arguments.iter().filter_map(|argument| turn.port(argument));
+                moved.extend(ports.map(|port| port.owner).filter(|owner| owner != GROUND));
+            }
+        });
+        moved
     }
 
     /// Uses of parts with the ports that they join.

@@ -6,5 +6,6 @@ mod gallery;
 mod lifted;
 mod random;
 mod sketched;
+mod slides;
 mod support;
 mod tables;

@@ -51,7 +51,7 @@ fn dangling(found: &Compiled) -> Vec<&String> {
 
 /// Names of things that a hand can take away.
 fn things(text: &str) -> Vec<String> {
-    let words = ["body", "revolute", "spring", "constraint", "let", "weld", "pin_slot"];
+    let words = ["body", "revolute", "spring", "constraint", "let", "weld", "pin_slot", "prismatic"];
     let lines = text.split([';', '{', '}', '\n']).map(str::trim);
     let names = lines.filter_map(|line| {
         let (word, rest) = line.split_once(' ')?;
@@ -90,7 +90,8 @@ fn gesture(draws: &mut Draws, text: &str, picture: &Picture) -> Gesture {
     match draws.below(20) {
         17 => Gesture::Mirror { port, grid },
         18 => Gesture::Copy { body: port.owner, by, grid },
-        19 => Gesture::Lock { port, axis: usize::from(free) },
+        19 if free => Gesture::Unlock { port, dimension: dimensions[draws.below(4)] },
+        19 => Gesture::Lock { port, dimension: dimensions[draws.below(4)] },
         14 => Gesture::Groove { port, body: other.owner, grid },
         15 => Gesture::Port { body: port.owner, end: ends[1].clone(), grid },
         16 => Gesture::Port { body: port.owner, end: End::Point(to), grid },
@@ -98,6 +99,7 @@ fn gesture(draws: &mut Draws, text: &str, picture: &Picture) -> Gesture {
         13 => Gesture::Unpin { port },
         0..3 => Gesture::Drag(drag),
         3..5 => Gesture::Bar { ends, grid },
+        5 if free => Gesture::GroundPoint { at: to, grid },
         5 => Gesture::Ground { port, grid },
         6 => Gesture::Merge { drag, onto: other },
         7 => Gesture::Motor { body: port.owner },

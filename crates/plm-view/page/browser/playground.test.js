@@ -87,6 +87,8 @@ test("what is typed is taken home as a package, and the commands are told", { sk
     ["#home-c", "pendulum_c.zip", "pendulum/pendulum.h"],
     ["#home-fmi3", "pendulum.fmu", "sources/buildDescription.xml"],
     ["#home-fmi2", "pendulum.fmu", "modelDescription.xml"],
+    ["#home-dxf", "Pendulum_links_dxf.zip", "Pendulum_links/sheet.dxf"],
+    ["#home-svg", "Pendulum_links_svg.zip", "Pendulum_links/sheet.svg"],
   ]) {
     const [source] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
     assert.equal(source.suggestedFilename(), file);

@@ -54,7 +54,7 @@ test("a slider-crank is drawn from an empty page by pointer alone", { skip }, as
   const text = await isWhole(page);
   console.log(`a slider-crank in ${((Date.now() - began) / 1000).toFixed(1)} s\n${text}`);
   assert.ok(Date.now() - began < 60_000);
-  assert.match(text, /pin_slot slide1\(ground\.g2, bar2\.b\);/);
+  assert.match(text, /revolute pin3\(bar2\.b, slider1\.a\);\n    prismatic slide1\(ground\.g2, slider1\.a\);/);
   await shot(page, "draw-slider-crank");
   await turnsOn(page, "bar1");
   // Where the slide stands is told by the lengths of crank and rod.

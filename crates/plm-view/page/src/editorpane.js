@@ -85,8 +85,13 @@ export class EditorPane {
       button("editor-open", "Open…", () => this.open(), "A file from this computer; nothing leaves it"),
       button("editor-save", "Save", () => saveText(this.editor.text()), "The declaration as a file"),
       this.link,
-      button("editor-home", "Take it home…", () => openTakeHome(this.editor.text(), this.language)),
+      button("editor-home", "Take it home…", () => this.takeHome()),
     );
+  }
+
+  takeHome() {
+    const text = this.editor.text();
+    openTakeHome(text, this.language, this.exchange.text === text ? (this.app.live?.run ?? null) : null);
   }
 
   /** Another text, which can be undone. @param {Example | undefined} example @param {HTMLSelectElement} choose */

@@ -1,6 +1,6 @@
 // A pin that is held: numbers under the hand are parameters of a text that was compiled once, and each move sets them and begins again.
 
-import { besidePin, pinOf, sketchStep, snapped } from "./snap.js";
+import { besidePin, millimetres, pinOf, sketchStep, snapped } from "./snap.js";
 
 /** @import {Drawn, PlacedPort} from "./pencil.js" */
 /** @import {Press, Sketch} from "./sketch.js" */
@@ -31,6 +31,10 @@ export class HeldPin {
     this.snapped = null;
     this.to = port.at;
     this.why = "";
+    /** What a hand has to know there. @type {string[]} */
+    this.told = [];
+    /** When the next second ends early, s; null where it does not. @type {number | null} */
+    this.stops = null;
     /** Whether the text with parameters was asked for, and whether it moves. */
     this.isLifted = false;
     this.isReady = false;
@@ -66,6 +70,7 @@ export class HeldPin {
     const drawn = /** @type {Drawn} */ (pencil.ask(this.text, { kind: "drag", live: true, ...this.gesture(this.snapped.at) }, this.places));
     this.why = drawn.why ?? "";
     if (drawn.why !== undefined) return;
+    this.told = drawn.told ?? [];
     this.to = drawn.to ?? this.snapped.at;
     if (!this.isLifted) this.lift();
     this.next = drawn.values ?? [];
@@ -92,14 +97,21 @@ export class HeldPin {
     if (sketch.held !== this || !this.isReady || this.isBusy || next === null || live === null || next.length !== this.parameters.length) return;
     this.next = null;
     this.isBusy = true;
-    live.whenDragged = (path) => {
+    live.whenDragged = (path, stops) => {
       this.isBusy = false;
-      this.path = path;
+      [this.path, this.stops] = [path, stops];
       sketch.app.touch();
       this.send();
     };
     const index = (/** @type {string} */ wanted) => live.mechanism.parameters.findIndex(({ name }) => name === wanted);
     live.send({ kind: "parameters", values: next.map((value, at) => [index(this.parameters[at]), value]), trace: this.traced() });
+  }
+
+  /** What a hand is told: why it cannot, else where it is, and what becomes of the mechanism there. */
+  get words() {
+    if (this.why !== "") return this.why;
+    const stops = this.stops === null ? [] : [`it stops after ${Number(this.stops.toFixed(2))} s`];
+    return [`${millimetres(this.to[0])}, ${millimetres(this.to[1])} mm`, ...this.told, ...stops].join("; ");
   }
 
   /** The point whose path is drawn. */

@@ -146,11 +146,12 @@ export class Language {
   }
 
   /**
-   * The C source of the text (`c`), or the files of an FMU with sources (`fmi2`, `fmi3`), or why there is none.
-   * @param {"c" | "fmi2" | "fmi3"} kind @returns {Promise<(Package & {notices: string[]}) | {why: string}>}
+   * The C source of the text (`c`), the files of an FMU with sources (`fmi2`, `fmi3`), or its links in true size (`dxf`, `svg`), or why
+   * there is none. Links that meet in a motion, x, y and angle of each body at moments of it, get different layers.
+   * @param {"c" | "fmi2" | "fmi3" | "dxf" | "svg"} kind @param {number[][]} [motion] @returns {Promise<(Package & {notices: string[]}) | {why: string}>}
    */
-  async source(kind) {
-    return (await this.ask("plm/source", { kind })) ?? { why: "the compiler has given no answer" };
+  async source(kind, motion = []) {
+    return (await this.ask("plm/source", { kind, motion })) ?? { why: "the compiler has given no answer" };
   }
 
   /** The equations of motion of a text, which need not be open, or why there are none. @param {string} text @returns {Promise<Written | {why: string}>} */

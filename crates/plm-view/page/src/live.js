@@ -62,7 +62,7 @@ export class Live {
     this.states = new KeptStates(this);
     /** What is wrong with its start; null where nothing is. @type {import("./worker.js").Trouble | null} */
     this.trouble = null;
-    /** Hears the path of a point once parameters are set together. @type {(path: number[]) => void} */
+    /** Hears the path of a point once parameters are set together, and when it ends early. @type {(path: number[], stops: number | null) => void} */
     this.whenDragged = () => {};
     /** What it has opened, in words. */
     this.opened = "";
@@ -278,7 +278,7 @@ export class Live {
       this.opened = this.openText(trouble);
       this.app.tellFault();
       this.app.change();
-    } else if (message.kind === "dragged") this.whenDragged(message.path);
+    } else if (message.kind === "dragged") this.whenDragged(message.path, message.stops);
     else if (message.kind === "placed") {
       const { next } = this.placing;
       this.placing = { isAsked: next !== null, next: null };

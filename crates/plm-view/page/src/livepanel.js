@@ -73,7 +73,9 @@ export class LivePanel {
       ),
     );
     this.hint = element("p", { class: "hint" });
-    return element("fieldset", { class: "row drag" }, element("legend", {}, "By mouse and arrow keys"), ...this.modes, this.hint);
+    const title = "The text begins in the pose on the screen: as many of its starts are written as there are freedoms";
+    this.asStart = actButton("live-as-start", "Pose as start", () => this.app.sketch?.startHere(), title);
+    return element("fieldset", { class: "row drag" }, element("legend", {}, "By mouse and arrow keys"), ...this.modes, this.asStart, this.hint);
   }
 
   /** @param {"pull" | "place" | "pan"} mode */
@@ -95,6 +97,7 @@ export class LivePanel {
       if (radio?.value === "pull") radio.disabled = live.unmoved !== "";
       if (radio !== null) radio.checked = radio.value === (app.mode === "pull" || app.mode === "place" ? app.mode : "pan");
     }
+    if (this.asStart !== undefined) this.asStart.hidden = app.sketch === null;
     if (this.hint !== undefined) setText(this.hint, handHint(app));
     this.dials.update();
     this.showContacts();

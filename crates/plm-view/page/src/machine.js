@@ -225,24 +225,27 @@ export class LiveMachine {
    */
   setAll(values, trace) {
     for (const [index, value] of values) this.exports.plm_set_parameter(index, value);
-    const path = trace === null ? [] : this.pathOf(trace);
+    const { path, stops } = trace === null ? { path: [], stops: null } : this.pathOf(trace);
     this.begin("restart");
-    this.send({ kind: "dragged", path });
+    this.send({ kind: "dragged", path, stops });
   }
 
-  /** The path of a point from the start on: x and y in turn. @param {Trace} trace */
+  /** The path of a point from the start on, x and y in turn, and when the run ends early. @param {Trace} trace */
   pathOf({ body, point, duration, most }) {
     /** @type {number[]} */
     const path = [];
     const began = performance.now();
-    if (this.exports.plm_restart() !== 1) return path;
+    let goesOn = true;
+    if (this.exports.plm_restart() !== 1) return { path, stops: null };
     for (const [index, value] of this.inputs) this.exports.plm_set_input(index, value);
     do {
       this.read();
       const { x, y } = this.pointOf(body, point);
       path.push(x, y);
-    } while (this.now[0] < duration && performance.now() - began < most && this.exports.plm_step(0.01) === 1);
-    return path;
+      if (this.now[0] >= duration || performance.now() - began >= most) break;
+      goesOn = this.exports.plm_step(0.01) === 1;
+    } while (goesOn);
+    return { path, stops: goesOn ? null : this.now[0] };
   }
 
   /**

@@ -9,13 +9,13 @@ import { instanceOf, writeText } from "./machine.js";
 /**
  * @typedef {{owner: string, port: string}} PortName a port of a body, or of `ground`
  * A port in the picture, in absolute axes, m and rad; a guess where assembly may move its body.
- * @typedef {PortName & {at: number[], angle: number, guessed?: boolean}} PlacedPort
+ * @typedef {PortName & {at: number[], angle: number, guessed?: boolean, locks?: string[]}} PlacedPort
  * @typedef {{name: string, kind: string, pin: boolean, ports: PortName[]}} SketchPart
  * The text as it is drawn before it is a mechanism.
  * @typedef {{places: PlacedPort[], parts: SketchPart[]}} SketchSheet
  * @typedef {{kind: string, [more: string]: any}} Gesture
  * What a gesture is, or why it is nothing.
- * @typedef {{why?: string, edits?: Edit[], values?: number[], to?: number[] | null, also?: PortName[], open?: string[], made?: string[]}} Drawn
+ * @typedef {{why?: string, edits?: Edit[], values?: number[], to?: number[] | null, also?: PortName[], open?: string[], told?: string[], made?: string[]}} Drawn
  */
 
 export class Pencil {

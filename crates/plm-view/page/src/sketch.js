@@ -285,6 +285,22 @@ export class Sketch {
     return held !== null || from !== null;
   }
 
+  /** The pose on the screen becomes the start of the text. */
+  startHere() {
+    const { live, run, scene, player } = this.app;
+    if (live === null || run !== live.run || scene === null || run.rows === 0 || !this.isCurrent) {
+      this.tell("what is on the screen is not the text that stands here");
+      return;
+    }
+    const { poses } = scene.at(Math.min(Math.max(player.time, run.start), run.end));
+    const all = run.mechanism.bodies.map(({ name: body }, index) => {
+      const [x, y, angle] = poses.subarray(3 * index, 3 * index + 3);
+      return { body, at: [x, y], angle };
+    });
+    live.pause();
+    this.make("this pose as start", { kind: "start", poses: all, grid: sketchStep(this.app.view.scale) }, []);
+  }
+
   /** @param {PortName | null} port */
   choose(port) {
     this.chosen = port;
@@ -321,10 +337,18 @@ export class Sketch {
     else this.make(`mirror ${portKey(chosen)}`, { kind: "mirror", port: chosen, grid: sketchStep(this.app.view.scale) });
   }
 
-  /** A dimension of the chosen pin becomes a parameter. @param {string} dimension */
+  /** Dimensions of the chosen pin that are parameters. @returns {string[]} */
+  get locks() {
+    const { chosen } = this;
+    const place = this.sheet.places.find((each) => chosen !== null && portKey(each) === portKey(chosen));
+    return place?.locks ?? [];
+  }
+
+  /** A dimension of the chosen pin becomes a parameter, or a number again. @param {string} dimension */
   lock(dimension) {
     const { chosen } = this;
-    if (chosen !== null) this.make(`lock ${dimension} of ${portKey(chosen)}`, { kind: "lock", port: chosen, dimension });
+    const kind = this.locks.includes(dimension) ? "unlock" : "lock";
+    if (chosen !== null) this.make(`${kind} ${dimension} of ${portKey(chosen)}`, { kind, port: chosen, dimension });
   }
 
   /** What is selected, by its name. */

@@ -114,7 +114,7 @@ export class SketchBar {
     if (sketch.isMoving && sketch.held === null) return "It moves: a press brings it back to its start.";
     if (tool === "bar") return from === null ? "Press where a bar begins: on a pin, or anywhere. Shift: on the ground." : "Press where it ends.";
     if (tool === "point") return from === null ? "Press the bar that gets another pin." : "Press where its pin is.";
-    if (tool === "ground") return "Press a pin: the ground holds it.";
+    if (tool === "ground") return "Press a pin: the ground holds it. Elsewhere: a place of the ground, for springs.";
     if (tool === "motor") return "Press a bar, or its pin: it turns.";
     if (tool === "slide") return from === null ? "Press the pin that slides." : "Press in the direction in which it slides, or a bar: along it.";
     if (tool !== "move") return from === null ? "Press one pin." : "Press the other pin.";
@@ -137,11 +137,12 @@ export class SketchBar {
     fields.style.left = `${Math.max(4, Math.min(x + 16, app.area.width - width - 4))}px`;
     fields.style.top = `${Math.max(48, Math.min(y + 12, app.area.height - height - 4))}px`;
     const values = dimensionsOf(place, places);
-    const of = `${portKey(place)} ${Object.keys(values)}`;
+    const { locks } = sketch;
+    const of = `${portKey(place)} ${Object.keys(values)} ${locks}`;
     if (this.fieldsOf !== of) {
       this.fieldsOf = of;
       this.inputs = new Map();
-      fields.replaceChildren(element("b", {}, portKey(place)), ...Object.keys(values).map((dimension) => this.field(/** @type {Dimension} */ (dimension))), this.locks());
+      fields.replaceChildren(element("b", {}, portKey(place)), ...Object.keys(values).map((dimension) => this.field(/** @type {Dimension} */ (dimension))), this.locks(Object.keys(values), locks));
     }
     for (const [dimension, input] of this.inputs) {
       const value = values[dimension] ?? "";
@@ -152,11 +153,18 @@ export class SketchBar {
     }
   }
 
-  /** Padlocks come behind all fields, so that Tab goes from number to number. */
-  locks() {
-    const lock = (/** @type {"x" | "y"} */ axis) =>
-      this.button(`Lock ${axis.toUpperCase()}`, `${axis.toUpperCase()} becomes a parameter, with a slider; no hand moves it then`, () => this.sketch.lock(axis), `sketch-lock-${axis}`);
-    return element("div", { class: "locks" }, lock("x"), lock("y"));
+  /** Padlocks come behind all fields, so that Tab goes from number to number. @param {string[]} dimensions @param {string[]} locked */
+  locks(dimensions, locked) {
+    const lock = (/** @type {string} */ dimension) => {
+      const name = dimension.length === 1 ? dimension.toUpperCase() : dimension;
+      const isLocked = locked.includes(dimension);
+      const title = isLocked ? `Unlock ${name}: it becomes a number again, which a hand moves` : `Lock ${name}: it becomes a parameter, with a slider; a hand keeps it then`;
+      const button = this.button(name, title, () => this.sketch.lock(dimension), `sketch-lock-${dimension}`);
+      button.setAttribute("aria-label", `${isLocked ? "Unlock" : "Lock"} ${name}`);
+      button.setAttribute("aria-pressed", String(isLocked));
+      return button;
+    };
+    return element("div", { class: "locks" }, element("span", {}, "Lock"), ...dimensions.map(lock));
   }
 
   /** @param {Dimension} dimension */

@@ -147,7 +147,8 @@ function drawHeld(pen, sketch, held, projection) {
   const [x, y] = projection.point(held.to[0], held.to[1], 0);
   if (held.snapped.onto !== null) pen.polygon(circleOutline(x, y, 11), { stroke: palette.select, width: 2.5 });
   const isOpen = held.isReady && live !== null && !live.isAssembled;
-  const words = held.why !== "" ? held.why : isOpen ? missingWords(live.trouble) : `${millimetres(held.to[0])}, ${millimetres(held.to[1])} mm`;
-  if (isOpen) pen.polygon(circleOutline(x, y, 14), { stroke: palette.fault, width: 2, dash: [5, 4] });
+  const words = held.why === "" && isOpen && held.told.length === 0 ? missingWords(live.trouble) : held.words;
+  const isWarned = held.told.length > 0 || held.stops !== null;
+  if (isOpen || (isWarned && held.why === "")) pen.polygon(circleOutline(x, y, 14), { stroke: palette.fault, width: 2, dash: [5, 4] });
   drawLabel(pen, x, y, words, app.area, palette);
 }

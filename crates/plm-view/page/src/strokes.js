@@ -76,11 +76,12 @@ export function endStroke(sketch, projection, x, y, how) {
   sketch.changed();
 }
 
-/** A pin becomes one of the ground. @param {Sketch} sketch @param {Projection} projection @param {number} x @param {number} y @param {Press} how */
+/** A pin becomes one of the ground; where none is, the ground gets a place. @param {Sketch} sketch @param {Projection} projection @param {number} x @param {number} y @param {Press} how */
 export function groundAt(sketch, projection, x, y, how) {
   const port = nearestPort(sketch.places(), projection, x, y, how);
-  if (port === null) sketch.tell("a pin is wanted here: the end of a bar");
-  else sketch.make("pin to the ground", { kind: "ground", port: portNameOf(port), grid: sketchStep(projection.scale) });
+  const place = snapped(sketch.places(), projection, x, y, how);
+  if (port === null && place !== null) sketch.make("a place of the ground", { kind: "ground", at: place.at, grid: sketchStep(projection.scale) });
+  else if (port !== null) sketch.make("pin to the ground", { kind: "ground", port: portNameOf(port), grid: sketchStep(projection.scale) });
 }
 
 /** The bar at a place turns: that on the ground where two meet. @param {Sketch} sketch @param {Projection} projection @param {number} x @param {number} y @param {Press} how */

@@ -33,7 +33,7 @@ import { LiveMachine, instanceOf, writeText } from "./machine.js";
  *   | {kind: "returned", numbers: Float64Array, id: number}
  *   | {kind: "began", numbers: Float64Array, isAssembled: boolean}
  *   | {kind: "trouble", trouble: Trouble | null} | {kind: "contacts", contacts: Contact[]} | {kind: "placed"}
- *   | {kind: "dragged", path: number[]} | {kind: "broken", text: string}
+ *   | {kind: "dragged", path: number[], stops: number | null} | {kind: "broken", text: string}
  *   | {kind: "settings", parameters: number[], inputs: number[], shape: Float64Array, sizeNames: string}} FromWorker
  */
 
