@@ -1,6 +1,5 @@
 //! More rows of contact than the sizes of few bodies have room for, and more guards than a word has bits.
 
-use plm::Moment as _;
 use plm::dynamic::Mechanism;
 
 use crate::near;

@@ -110,7 +110,7 @@ impl<S: Real, G: Vector<S>> Detector<S, G> {
             assert!(
                 G::LEN <= MOST_GUARDS,
                 "a mechanism has at most 256 guards, and 64 without the feature `std`: those of conditions, and three of each row of contact"
-            )
+            );
         };
         Self {
             modes: Modes::New,

@@ -174,6 +174,8 @@ expect("several ways" in "".join(plm.Mechanism(ROD).run(0.02).notices), "contact
 for too_long in (pendulum.run, pendulum.show):
     refused(MemoryError, "rows of", lambda: too_long(1e6, 1e-9, parameters={"mass": 1}))
 refused(MemoryError, "rows of", lambda: pendulum.rollouts(until=1e6, every=1e-7, parameters={"mass": np.ones(1000)}))
+# A shell starts what runs beside it with this signal ignored.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
 try:
     pendulum.show(1e6, 100.0, parameters={"mass": 1})
