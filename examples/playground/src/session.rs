@@ -156,8 +156,15 @@ fn compiled(text: &str) -> Result<(OfSize, Vec<u8>), Refused> {
 
 /// The page makes code of what is evaluated often.
 #[cfg(target_arch = "wasm32")]
-fn translate<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
-    own: Dynamic<f64, NQ, NC, N, L>,
+fn translate<
+    const NQ: usize,
+    const NC: usize,
+    const N: usize,
+    const L: usize,
+    const H: usize,
+    const R: usize,
+>(
+    own: Dynamic<f64, NQ, NC, N, L, H, R>,
 ) {
     if let Some(host) = plm_jit::Host::new() {
         own.translate_by(std::sync::Arc::new(host));
@@ -165,11 +172,11 @@ fn translate<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
 }
 
 /// A results file of the start; without a row where it cannot be assembled, so that its parameters can be turned until it can.
-fn results<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
-    own: Dynamic<f64, NQ, NC, N, L>,
+fn results<const NQ: usize, const NC: usize, const N: usize, const L: usize, const H: usize, const R: usize>(
+    own: Dynamic<f64, NQ, NC, N, L, H, R>,
 ) -> Vec<u8>
 where
-    Dynamic<f64, NQ, NC, N, L>: Statics<S = f64> + Described,
+    Dynamic<f64, NQ, NC, N, L, H, R>: Statics<S = f64> + Described,
 {
     let mut recorder = Recorder::describing(&own);
     if let Ok(sim) = own.start() {
