@@ -1,6 +1,6 @@
 //! A text, and the live mechanism that it declares.
 
-use plm::dynamic::{Compiled, Dynamic, Large, Refused, Small};
+use plm::dynamic::{Compiled, Dynamic, Large, Refused};
 use plm::live::{Live, with_pulls};
 use plm::runtime::described::Described;
 use plm::runtime::{Mechanism, Statics};
@@ -13,6 +13,9 @@ pub struct Session {
     message: String,
     results: Vec<u8>,
 }
+
+/// Mechanisms of at most 8 bodies, with the rows of contact and the guards of [`Large`]: the module has the code of contact once.
+type Small = Dynamic<f64, 24, 32, 64, 24, 160, 32>;
 
 /// A live mechanism of either size.
 enum OfSize {
