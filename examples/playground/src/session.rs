@@ -1,6 +1,6 @@
 //! A text, and the live mechanism that it declares.
 
-use plm::dynamic::{Compiled, Dynamic, Large, Refused};
+use plm::dynamic::{Compiled, Dynamic, Refused, Small};
 use plm::live::{Live, with_pulls};
 use plm::runtime::described::Described;
 use plm::runtime::{Mechanism, Statics};
@@ -14,8 +14,8 @@ pub struct Session {
     results: Vec<u8>,
 }
 
-/// Mechanisms of at most 8 bodies, with the rows of contact and the guards of [`Large`]: the module has the code of contact once.
-type Small = Dynamic<f64, 24, 32, 64, 24, 160, 32>;
+/// Mechanisms of at most 64 bodies, with as many rows of contact and guards as [`Small`]: more would make the page larger than 1.4 MB.
+type Large = Dynamic<f64, 192, 224, 448, 64>;
 
 /// A live mechanism of either size.
 enum OfSize {
@@ -159,15 +159,8 @@ fn compiled(text: &str) -> Result<(OfSize, Vec<u8>), Refused> {
 
 /// The page makes code of what is evaluated often.
 #[cfg(target_arch = "wasm32")]
-fn translate<
-    const NQ: usize,
-    const NC: usize,
-    const N: usize,
-    const L: usize,
-    const H: usize,
-    const R: usize,
->(
-    own: Dynamic<f64, NQ, NC, N, L, H, R>,
+fn translate<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    own: Dynamic<f64, NQ, NC, N, L>,
 ) {
     if let Some(host) = plm_jit::Host::new() {
         own.translate_by(std::sync::Arc::new(host));
@@ -175,11 +168,11 @@ fn translate<
 }
 
 /// A results file of the start; without a row where it cannot be assembled, so that its parameters can be turned until it can.
-fn results<const NQ: usize, const NC: usize, const N: usize, const L: usize, const H: usize, const R: usize>(
-    own: Dynamic<f64, NQ, NC, N, L, H, R>,
+fn results<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    own: Dynamic<f64, NQ, NC, N, L>,
 ) -> Vec<u8>
 where
-    Dynamic<f64, NQ, NC, N, L, H, R>: Statics<S = f64> + Described,
+    Dynamic<f64, NQ, NC, N, L>: Statics<S = f64> + Described,
 {
     let mut recorder = Recorder::describing(&own);
     if let Ok(sim) = own.start() {
