@@ -1,13 +1,8 @@
-//! More rows of contact than the sizes of few bodies have room for, and more guards than a word has bits.
+//! As many rows of contact as a mechanism from text has room for.
 
 use plm::dynamic::Mechanism;
 
 use crate::near;
-
-/// Runs a test where mechanisms of the largest size have the stack that they take without optimisation.
-fn with_stack(test: impl FnOnce() + Send + 'static) {
-    std::thread::Builder::new().stack_size(16 << 20).spawn(test).unwrap().join().unwrap();
-}
 
 /// A wheel of spokes without a rim, of a mass of 1 kg with the inertia `INERTIA` and a radius of 1 m, on a slope. It begins on a spoke that is
 /// perpendicular to the slope.
@@ -60,14 +55,10 @@ impl Wheel {
     }
 }
 
-/// 14, 24 and 32 rows, of which one or two touch at a time: by steps with dense output.
+/// Up to 16 rows, of which one or two touch at a time: by steps with dense output.
 #[test]
 fn wheels_of_spokes_roll_down_a_slope() {
-    with_stack(wheels_roll);
-}
-
-fn wheels_roll() {
-    for (spokes, slope, omega) in [(7, 0.12, 1.6), (12, 0.05, 1.5), (16, 0.05, 1.25)] {
+    for (spokes, slope, omega) in [(6, 0.15, 1.6), (7, 0.12, 1.6), (8, 0.1, 1.6)] {
         let wheel = Wheel { spokes, slope, omega };
         // Conditions that matter as others hold, of which none ever changes anything.
         let conditions = "param high = 1e3; state idle: 1 = 0;
@@ -90,10 +81,6 @@ fn wheels_roll() {
 /// Two boxes on each other have sixteen rows, of which all but eight are open.
 #[test]
 fn boxes_on_each_other_rest() {
-    with_stack(boxes_rest);
-}
-
-fn boxes_rest() {
     let boxes = |count: usize| -> String {
         let body = |k: usize| {
             let below = k.checked_sub(1).map_or("ground.top".to_owned(), |below| format!("b{below}.top"));
@@ -112,7 +99,7 @@ fn boxes_rest() {
             "pub Boxes {{ gravity: {GRAVITY} m/s^2; allow(W0002); ground {{ port top: (0, 0) m, axis: 0 deg; }} {all} }}"
         )
     };
-    for count in [2, 4] {
+    for count in [1, 2] {
         for method in ["Dop853:1e-9", "MoreauJean:1e-3", "Rk4:1e-3"] {
             let stack = Mechanism::from_text(&boxes(count)).unwrap();
             let mut run = stack.start_with(method.parse().unwrap()).unwrap();

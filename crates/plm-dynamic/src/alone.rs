@@ -3,7 +3,6 @@
 use plm_runtime::contact::{Solution, Stride};
 use plm_runtime::{Events, Fault, Health, Moment, MoreauJean, Rate, Real, step};
 
-use crate::capacity::{MOST_GUARDS, MOST_ROWS};
 use crate::handle::Dynamic;
 use crate::numbers::Numbers;
 use crate::run::{Error, Mechanism};
@@ -18,7 +17,7 @@ pub struct Steps(OfSize);
 #[derive(Clone, Debug)]
 enum OfSize {
     Small(Box<State<f64, 24, 32, 64>>),
-    Large(Box<State<f64, 192, 224, 448, 64, MOST_GUARDS, MOST_ROWS>>),
+    Large(Box<State<f64, 192, 224, 448, 64>>),
 }
 
 /// Evaluates an expression on the state of any size.

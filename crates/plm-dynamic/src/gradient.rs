@@ -4,7 +4,7 @@ use plm_run::{AnySim, Integrator};
 use plm_runtime::sim::Seen;
 use plm_runtime::{Described, Dual, Fault, Moment, Sim, with_derivatives};
 
-use crate::capacity::{MOST_GUARDS, MOST_ROWS, PARAMETERS, ROWS, SWITCHES};
+use crate::capacity::{PARAMETERS, ROWS, SWITCHES};
 use crate::handle::Dynamic;
 use crate::model::Model;
 use crate::run::{Error, Mechanism};
@@ -14,8 +14,7 @@ use crate::system::State;
 /// A number with its derivative.
 type Lifted = Dual<f64, 1>;
 /// Mechanisms on such numbers.
-type Of<const NQ: usize, const NC: usize, const N: usize, const L: usize, const H: usize, const R: usize> =
-    Dynamic<Lifted, NQ, NC, N, L, H, R>;
+type Of<const NQ: usize, const NC: usize, const N: usize, const L: usize> = Dynamic<Lifted, NQ, NC, N, L>;
 
 /// Variable of differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,36 +55,23 @@ impl Mechanism {
     ) -> Result<Derivative, Error> {
         self.all_given()?;
         Ok(match self.models {
-            Models::Tiny([_, model], _) | Models::Small(model, _) => over(
-                self.lifted::<24, 32, 64, 24, SWITCHES, ROWS>(model, by, method)?,
-                times,
-                quantities,
-                goes_on,
-            ),
-            Models::Large(model) => over(
-                self.lifted::<192, 224, 448, 64, MOST_GUARDS, MOST_ROWS>(model, by, method)?,
-                times,
-                quantities,
-                goes_on,
-            ),
+            Models::Tiny([_, model], _) | Models::Small(model, _) => {
+                over(self.lifted::<24, 32, 64, 24>(model, by, method)?, times, quantities, goes_on)
+            }
+            Models::Large(model) => {
+                over(self.lifted::<192, 224, 448, 64>(model, by, method)?, times, quantities, goes_on)
+            }
         }?)
     }
 
     /// A run on numbers with a derivative by one of its own.
-    fn lifted<
-        const NQ: usize,
-        const NC: usize,
-        const N: usize,
-        const L: usize,
-        const H: usize,
-        const R: usize,
-    >(
+    fn lifted<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
         &self,
         model: &'static Model,
         by: By,
         method: Integrator,
-    ) -> Result<Box<AnySim<Of<NQ, NC, N, L, H, R>>>, Fault> {
-        let own = self.given.mechanism::<NQ, NC, N, L, H, R, PARAMETERS>(model);
+    ) -> Result<Box<AnySim<Of<NQ, NC, N, L>>>, Fault> {
+        let own = self.given.mechanism::<NQ, NC, N, L, SWITCHES, ROWS, PARAMETERS>(model);
         let name = match by {
             By::Parameter(k) => self.parameters().nth(k).map(|(name, _)| plm_runtime::By::Parameter(name)),
             By::Start(k) => self.starts().get(k).map(|name| plm_runtime::By::Start(name)),
@@ -105,19 +91,19 @@ impl Mechanism {
 }
 
 /// Runs a simulation until a time with samples.
-fn over<const NQ: usize, const NC: usize, const N: usize, const L: usize, const H: usize, const R: usize>(
-    mut sim: Box<AnySim<Of<NQ, NC, N, L, H, R>>>,
+fn over<const NQ: usize, const NC: usize, const N: usize, const L: usize>(
+    mut sim: Box<AnySim<Of<NQ, NC, N, L>>>,
     (until, every): (f64, f64),
     quantities: &[usize],
     goes_on: &mut dyn FnMut() -> bool,
 ) -> Result<Derivative, Fault> {
     let columns = vec![Vec::new(); quantities.len()];
     let mut derivative = Derivative { times: Vec::new(), values: columns.clone(), slopes: columns };
-    let see = |seen: Seen<'_, State<Lifted, NQ, NC, N, L, H, R>>| {
+    let see = |seen: Seen<'_, State<Lifted, NQ, NC, N, L>>| {
         let Seen::Sample(state) = seen else { return };
         derivative.times.push(state.time().value);
         let mut columns = derivative.values.iter_mut().zip(&mut derivative.slopes);
-        Of::<NQ, NC, N, L, H, R>::observe(state, quantities.iter().copied(), &mut |number| {
+        Of::<NQ, NC, N, L>::observe(state, quantities.iter().copied(), &mut |number| {
             let Dual { value, tangents: [slope] } = number.unwrap_or(Dual::constant(f64::NAN));
             if let Some((values, slopes)) = columns.next() {
                 values.push(value);

@@ -67,7 +67,7 @@ pub enum Error {
     },
     /// A parameter that has no default was not given.
     NotGiven(String),
-    /// There is no room for more than 8 bodies, 12 rows of contact or 64 guards in [`Small`](crate::Small).
+    /// There is no room for more than 8 bodies in [`Small`](crate::Small).
     MoreThanSmall,
     /// The run has ended.
     Fault(Fault),
@@ -84,9 +84,7 @@ impl fmt::Display for Error {
                 write!(f, "there is no {what} `{name}`; there are {known}")
             }
             Self::NotGiven(name) => write!(f, "the parameter `{name}` has no default: it must be given"),
-            Self::MoreThanSmall => {
-                f.write_str("mechanisms of at most 8 bodies and 12 rows of contact are identified")
-            }
+            Self::MoreThanSmall => f.write_str("mechanisms of at most 8 bodies are identified"),
             Self::Fault(fault) => fault.fmt(f),
         }
     }

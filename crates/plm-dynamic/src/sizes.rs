@@ -5,7 +5,6 @@ use std::sync::Arc;
 use plm_run::{AnySim, Integrator};
 use plm_runtime::{Fault, Moment, Real};
 
-use crate::capacity::{MOST_GUARDS, MOST_ROWS};
 use crate::handle::Dynamic;
 use crate::model::Model;
 use crate::native::Translator;
@@ -23,9 +22,8 @@ pub(crate) type PlainTinyStates = Dynamic<f64, 9, 8, 32, 6, 8, 0>;
 pub type Small = Dynamic<f64, 24, 32, 64>;
 /// Those without contact, of at most 8 inputs and 8 conditions, whose loops remember at most 12 numbers of each kind.
 pub(crate) type PlainSmall = Dynamic<f64, 24, 32, 64, 12, 8, 0>;
-/// Mechanisms of at most 64 bodies, 224 constraint rows, 64 first-order states and 32 rows of contact, whose loops remember at most 64 numbers of
-/// each kind.
-pub type Large = Dynamic<f64, 192, 224, 448, 64, MOST_GUARDS, MOST_ROWS>;
+/// Mechanisms of at most 64 bodies, 224 constraint rows and 64 first-order states, whose loops remember at most 64 numbers of each kind.
+pub type Large = Dynamic<f64, 192, 224, 448, 64>;
 
 /// The tables of a mechanism, of the smallest size that has room.
 #[derive(Clone, Copy, Debug)]

@@ -7,7 +7,7 @@ use plm_compiler::lowered::Lowered;
 use plm_compiler::token::Sources;
 use plm_compiler::{analyse, without_panic};
 
-use crate::capacity::{EVENTS, INPUTS, KINKS, MOST_GUARDS, MOST_ROWS, SWITCHES};
+use crate::capacity::{EVENTS, INPUTS, KINKS, ROWS, SWITCHES};
 use crate::handle::Dynamic;
 use crate::memory::Counts;
 use crate::model::Model;
@@ -86,9 +86,9 @@ impl Compiled {
         within(
             &lowered,
             [
-                ("rows of contact", contacts.map_or(0, |contacts| contacts.places), MOST_ROWS),
+                ("rows of contact", contacts.map_or(0, |contacts| contacts.places), ROWS),
                 ("conditions", lowered.switches.all.len(), SWITCHES),
-                ("guards of conditions and contact", guards(&lowered), MOST_GUARDS),
+                ("guards of conditions and contact", guards(&lowered), SWITCHES),
                 ("events that set states", lowered.sets.events.len(), EVENTS),
                 ("inputs", lowered.inputs.len(), INPUTS),
                 ("kinks", lowered.switches.kinks, KINKS),

@@ -1,6 +1,6 @@
 //! A text, and the live mechanism that it declares.
 
-use plm::dynamic::{Compiled, Dynamic, Refused, Small};
+use plm::dynamic::{Compiled, Dynamic, Large, Refused, Small};
 use plm::live::{Live, with_pulls};
 use plm::runtime::described::Described;
 use plm::runtime::{Mechanism, Statics};
@@ -13,9 +13,6 @@ pub struct Session {
     message: String,
     results: Vec<u8>,
 }
-
-/// Mechanisms of at most 64 bodies, with as many rows of contact and guards as [`Small`]: more would make the page larger than 1.4 MB.
-type Large = Dynamic<f64, 192, 224, 448, 64>;
 
 /// A live mechanism of either size.
 enum OfSize {

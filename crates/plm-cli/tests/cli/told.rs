@@ -198,7 +198,7 @@ fn a_fault_of_conditions_has_the_line_that_they_stand_in() {
     assert!(said.errors.ends_with(&place), "{}", said.errors);
 }
 
-/// A wheel of seventeen spokes has 34 rows, and 32 have room in a run of a text.
+/// A wheel of seventeen spokes has 34 rows, and 16 have room in a run of a text.
 #[test]
 fn what_has_no_room_is_told_with_its_place() {
     let corners: Vec<String> = (0..17)
@@ -215,7 +215,7 @@ fn what_has_no_room_is_told_with_its_place() {
     assert_eq!((check.code, run.code), (0, 1), "{check:?}\n{run:?}");
     for (said, severity) in [(check, "warning"), (run, "plm")] {
         for told in [
-            "34 rows of contact, and a run of a text has room for 32: `feet.",
+            "34 rows of contact, and a run of a text has room for 16: `feet.",
             "--> <stdin>:4:21",
             "= help: fewer of them",
         ] {

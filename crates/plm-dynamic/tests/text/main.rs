@@ -224,7 +224,7 @@ fn what_there_is_no_room_for_is_named() {
     let rows: String = (0..40).map(rows).collect();
     let ball = format!("pub Ball {{ body ball {{ mass: 1 kg; inertia: 1 kg*m^2; start y: 1 m; }} {rows} }}");
     let error = Mechanism::from_text(&ball).unwrap_err();
-    let expected = "40 rows of contact, and a run of a text has room for 32: `floor32` is the first without";
+    let expected = "40 rows of contact, and a run of a text has room for 16: `floor16` is the first without";
     assert_eq!(error.to_string(), expected);
 }
 
