@@ -86,7 +86,7 @@ macro_rules! both {
         let compiled =
             counted(with_trace(&<$chain>::new(), &[By::Parameter("length")], &trace).unwrap(), &trace);
         let text = Compiled::new("chain", <$chain>::DECLARATION).unwrap();
-        let own = text.mechanism::<96, 96, 192, 1, 64, 16, 1>().unwrap();
+        let own = text.mechanism::<96, 96, 192, 1, 1>().unwrap();
         let mut memory: [Term; 0] = [];
         let trace = Trace::new(&mut memory, 1);
         let from_text = counted(with_trace(&own, &[By::Parameter("length")], &trace).unwrap(), &trace);

@@ -40,7 +40,7 @@ const TOLERANCE: f64 = 1e-13;
 /// The text is refused, a run fails for another reason than that it has no derivatives, or those backward are not those forward.
 pub fn judge(case: &Case) -> Result<(Verdict, Option<Backward>), String> {
     let compiled = Compiled::new("case", &case.text).map_err(|error| error.to_string())?;
-    let mechanism = compiled.mechanism::<24, 32, 64, 24, 64, 16, 64>().map_err(|error| error.to_string())?;
+    let mechanism = compiled.mechanism::<24, 32, 64, 24, 64>().map_err(|error| error.to_string())?;
     let lifted = with_derivatives(&mechanism, case.by.map(|(name, _)| By::Parameter(name)))
         .map_err(|error| error.to_string())?;
     let derived = match outputs(lifted, case.time) {

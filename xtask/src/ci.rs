@@ -16,8 +16,13 @@ use crate::place::Place;
 /// One set of features for all that is built in the workspace: another one would build it again.
 const FEATURES: &str = "analysis,batch,lanes";
 /// Packages outside the workspace; their own target folder keeps the tree clean.
-const OUTSIDE: [&str; 4] =
-    ["tests/no_std", "tests/chain64", "examples/firmware", "examples/firmware/machine"];
+const OUTSIDE: [&str; 5] = [
+    "tests/no_std",
+    "tests/chain64",
+    "examples/firmware",
+    "examples/firmware/machine",
+    "examples/playground",
+];
 
 /// Something that must hold.
 #[derive(Clone, Copy)]

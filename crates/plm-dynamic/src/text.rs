@@ -105,23 +105,15 @@ impl Compiled {
         Compiled::with_room(name, lowered)?.fits_largest()
     }
 
-    /// The mechanism as declared, with the room that [`Dynamic`] describes; parameters without a default are zero until they are set. Its tables
-    /// are never freed.
+    /// The mechanism as declared, with room for `NQ` coordinates, `NC` rows, `N` numbers of a state and `P` parameters; parameters without a default
+    /// are zero until they are set. Its tables are never freed.
     ///
     /// # Errors
     /// [`Refused::TooLarge`].
-    pub fn mechanism<
-        const NQ: usize,
-        const NC: usize,
-        const N: usize,
-        const L: usize,
-        const H: usize,
-        const R: usize,
-        const P: usize,
-    >(
+    pub fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize, const P: usize>(
         self,
-    ) -> Result<Dynamic<f64, NQ, NC, N, L, H, R, P>, Refused> {
-        self.fits::<NQ, NC, N, L, H, R, P>()?;
+    ) -> Result<Dynamic<f64, NQ, NC, N, L, SWITCHES, ROWS, P>, Refused> {
+        self.fits::<NQ, NC, N, L, SWITCHES, ROWS, P>()?;
         Ok(Dynamic::declared(self.model(NQ), &[]))
     }
 

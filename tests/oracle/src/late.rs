@@ -66,7 +66,7 @@ impl Family {
         let text = [BOUNCE, SLIDE, WHEN][self as usize];
         let made = || {
             let compiled = Compiled::new("late", text).map_err(|error| error.to_string())?;
-            compiled.mechanism::<9, 8, 32, 9, 64, 16, 64>().map_err(|error| error.to_string())
+            compiled.mechanism::<9, 8, 32, 9, 64>().map_err(|error| error.to_string())
         };
         ALL[self as usize].get_or_init(made).clone()
     }
