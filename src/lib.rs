@@ -50,7 +50,7 @@
 //!
 //! | feature | what it adds |
 //! |---|---|
-//! | `std` | on unless switched off: square roots by the processor, [`read_starts`], [`live`]; the bits of results are the same without |
+//! | `std` | on unless switched off: square roots by the processor, room for 256 guards of conditions and contact in the place of 64, [`read_starts`], [`live`]; the bits of results are the same without |
 //! | `analysis` | [`linearise`], [`stabilise`], and [`StartAuto`], which chooses a method by eigenvalues |
 //! | `c-source` | `view::c_source`: C99 of a mechanism for compilers of any target; `--c-source FOLDER` of programs |
 //! | `dynamic` | [`dynamic`]: mechanisms from text, run without rustc |

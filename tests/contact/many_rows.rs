@@ -1,4 +1,4 @@
-//! As many rows of contact as a mechanism from text has room for.
+//! Rows of contact of mechanisms from text, up to the most that there is room for.
 
 use plm::dynamic::Mechanism;
 

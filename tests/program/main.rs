@@ -139,7 +139,7 @@ fn an_input_that_is_not_there_is_told_with_those_that_are() {
     assert_eq!(error.to_string(), "there is no input `forces`; is `force` meant? there are force (kN)");
 }
 
-/// The same folder and text as of the declaration by itself, with parameters and start values set.
+/// C source of a compiled mechanism has the text of that of its declaration, with parameters and start values set.
 #[test]
 fn a_c_source_has_the_numbers_of_the_mechanism() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program-c-source");

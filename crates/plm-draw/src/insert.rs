@@ -59,7 +59,7 @@ impl Section {
     }
 }
 
-/// The last of the names that follow a thing: points that were drawn behind it.
+/// The last of the names that follow a thing: points that were drawn after it.
 fn with_points<'i>(items: &'i [Item], thing: &'i Item) -> &'i Item {
     let at = items.iter().position(|item| item.span == thing.span).unwrap_or_default();
     let points = items[at..].iter().skip(1).take_while(|item| matches!(item.kind, ItemKind::Let(..)));

@@ -20,23 +20,16 @@ use crate::typed::Dimension;
 const LENGTH_STEP: f64 = 1e-3;
 const ANGLE_STEP: f64 = 1e-4;
 
-impl Dimension {
-    fn word(self) -> &'static str {
-        ["x", "y", "length", "angle"][self as usize]
-    }
-}
-
 impl Sheet<'_> {
     /// Ports with locked dimensions, and which they are.
     pub fn locks(&self) -> Vec<(PortName, Vec<Dimension>)> {
         let handles = self.handles();
-        let all = [Dimension::X, Dimension::Y, Dimension::Length, Dimension::Angle];
         let of = |handle: &Handle<'_>| {
             let is_locked = |dimension: &Dimension| {
                 number_of(self, &handles, handle, *dimension)
                     .is_ok_and(|number| number.is_some_and(|of| of.is_locked))
             };
-            let locks: Vec<Dimension> = all.into_iter().filter(is_locked).collect();
+            let locks: Vec<Dimension> = Dimension::ALL.into_iter().filter(is_locked).collect();
             (!locks.is_empty()).then(|| (handle.name.clone(), locks))
         };
         handles.iter().filter_map(of).collect()

@@ -54,7 +54,7 @@ impl Coordinate {
     /// All of them.
     pub const ALL: [Coordinate; 3] = [Coordinate::X, Coordinate::Y, Coordinate::Angle];
 
-    /// Its word behind `start`.
+    /// Its word after `start`.
     pub fn word(self) -> &'static str {
         ["x", "y", "angle"][self as usize]
     }
@@ -180,17 +180,17 @@ fn lock(sheet: &Sheet<'_>, start: &plm_compiler::syntax::ast::Start, is_locked: 
     Some(Edit::new(from..from + word.range.end, ""))
 }
 
-/// The byte behind the last statement of a body that has a place or a start, or behind its bracket.
+/// The byte after the last statement of a body that has a place or a start, or after its bracket.
 fn end_of(sheet: &Sheet<'_>, body: &Body) -> usize {
     let of_ports = body.ports.iter().map(|port| statement(sheet, port).end);
-    let behind = |from: usize, mark: char| {
+    let after = |from: usize, mark: char| {
         let rest = sheet.text.get(from..).unwrap_or_default();
         let found = tokens(rest).into_iter().find(|token| token.is_mark(rest, mark));
         found.map_or(from, |token| from + token.range.end)
     };
-    let of_starts = body.starts.iter().map(|start| behind(sheet.range(start.value.span).end, ';'));
+    let of_starts = body.starts.iter().map(|start| after(sheet.range(start.value.span).end, ';'));
     let of_name = sheet.range(body.name.ident.span).end;
-    of_ports.chain(of_starts).max().unwrap_or_else(|| behind(of_name, '{'))
+    of_ports.chain(of_starts).max().unwrap_or_else(|| after(of_name, '{'))
 }
 
 /// The edits after which a constraint begins further on: the number that it begins with, or one in front of it.

@@ -41,6 +41,16 @@ pub enum Dimension {
     Angle,
 }
 
+impl Dimension {
+    /// All of them.
+    pub const ALL: [Dimension; 4] = [Dimension::X, Dimension::Y, Dimension::Length, Dimension::Angle];
+
+    /// Its word.
+    pub fn word(self) -> &'static str {
+        ["x", "y", "length", "angle"][self as usize]
+    }
+}
+
 /// A typed text in the unit of a literal: the token to write where it is one, and the value.
 fn read(text: &str, literal: &Literal) -> Result<(Option<String>, f64), Refusal> {
     let no_number = || Refusal::NoNumber(text.to_owned());

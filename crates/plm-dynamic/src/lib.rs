@@ -36,6 +36,7 @@ mod text;
 mod whole;
 
 pub use self::alone::Steps;
+pub use self::capacity::{ROWS, SWITCHES};
 pub use self::column::Column;
 pub use self::course::{Change, Course};
 pub use self::declared::Declared;

@@ -4,13 +4,13 @@ use std::any::{Any, TypeId};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use plm_dynamic::{Compiled, Dynamic, State};
+use plm_dynamic::{Compiled, Dynamic, ROWS, SWITCHES, State};
 use plm_jit::Host;
 use plm_runtime::{BodyState, Described, Mechanism, Start, StartValues, Statics};
 
 /// A mechanism from text of at most `NQ / 3` bodies, `NC` rows and `P` parameters.
 pub type Text<const NQ: usize, const NC: usize, const N: usize, const P: usize> =
-    Dynamic<f64, NQ, NC, N, NQ, 64, 16, P>;
+    Dynamic<f64, NQ, NC, N, NQ, SWITCHES, ROWS, P>;
 
 /// A mechanism whose bodies and energies are looked at.
 pub trait Look: Mechanism {
@@ -21,7 +21,7 @@ pub trait Look: Mechanism {
 }
 
 impl<const NQ: usize, const NC: usize, const N: usize, const L: usize, const P: usize> Look
-    for Dynamic<f64, NQ, NC, N, L, 64, 16, P>
+    for Dynamic<f64, NQ, NC, N, L, SWITCHES, ROWS, P>
 {
     fn bodies(state: &Self::State, mut each: impl FnMut(BodyState<f64>)) {
         Self::poses(state, &mut each);
@@ -44,15 +44,15 @@ type Known = BTreeMap<(TypeId, String), Box<dyn Any + Send>>;
 /// A mistake in the declaration, with its place; what there is no room for; a processor without machine code.
 pub fn mechanism<const NQ: usize, const NC: usize, const N: usize, const L: usize, const P: usize>(
     declaration: &str,
-) -> Result<Dynamic<f64, NQ, NC, N, L, 64, 16, P>, String> {
+) -> Result<Dynamic<f64, NQ, NC, N, L, SWITCHES, ROWS, P>, String> {
     static KNOWN: OnceLock<Mutex<Known>> = OnceLock::new();
     let mut known = KNOWN.get_or_init(Mutex::default).lock().unwrap_or_else(PoisonError::into_inner);
-    let key = (TypeId::of::<Dynamic<f64, NQ, NC, N, L, 64, 16, P>>(), declaration.to_owned());
+    let key = (TypeId::of::<Dynamic<f64, NQ, NC, N, L, SWITCHES, ROWS, P>>(), declaration.to_owned());
     if let Some(known) = known.get(&key).and_then(|known| known.downcast_ref()) {
         return Ok(*known);
     }
     let compiled = Compiled::new("case.plm", declaration).map_err(|refused| refused.to_string())?;
-    let text: Dynamic<f64, NQ, NC, N, L, 64, 16, P> =
+    let text: Dynamic<f64, NQ, NC, N, L, SWITCHES, ROWS, P> =
         compiled.mechanism().map_err(|refused| refused.to_string())?;
     let host = Host::new().ok_or("no machine code for this processor")?;
     text.translate_by(Arc::new(host.after(TRANSLATED_AFTER)));

@@ -7,13 +7,13 @@ use std::ops::Range;
 
 use plm_compiler::without_panic;
 use plm_draw::{
-    Dimension, Drag, Drawn, Edit, GROUND, Handle, Held, Literal, Picture, Place, Placed, PortName, Refusal,
-    Sheet, SketchPart, TOOLS, draw, follow, lift,
+    Drag, Drawn, Edit, GROUND, Handle, Held, Literal, Picture, Place, Placed, PortName, Refusal, Sheet,
+    SketchPart, TOOLS, draw, follow, lift,
 };
 use serde_json::{Value, json};
 
 use super::document::Document;
-use super::gesture::{DIMENSIONS, Unread, dragged, gesture, grid, placed, point, port};
+use super::gesture::{Unread, dragged, gesture, grid, placed, point, port};
 use super::start::{self, PoseOf};
 use super::text;
 use crate::checked::checked;
@@ -161,14 +161,13 @@ fn handles(sheet: &Sheet<'_>) -> Value {
 fn sketch(sheet: &Sheet<'_>) -> Value {
     let sketch = sheet.sketch();
     let locks = sheet.locks();
-    let word = |of: &Dimension| DIMENSIONS.iter().find(|(_, known)| known == of).map(|(word, _)| *word);
     let port = |placed: &Placed| {
         let mut shown = named(&placed.name);
         shown["at"] = json!(placed.at);
         shown["angle"] = json!(placed.angle);
         shown["guessed"] = json!(sketch.guessed.contains(&placed.name));
         if let Some((_, locks)) = locks.iter().find(|(name, _)| *name == placed.name) {
-            shown["locks"] = locks.iter().filter_map(word).collect();
+            shown["locks"] = locks.iter().map(|of| of.word()).collect();
         }
         shown
     };

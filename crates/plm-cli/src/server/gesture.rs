@@ -3,10 +3,6 @@
 use plm_draw::{Dimension, Drag, End, Gesture, Placed, Point, PortName, Typed};
 use serde_json::Value;
 
-/// Dimensions by their words.
-pub(super) const DIMENSIONS: [(&str, Dimension); 4] =
-    [("x", Dimension::X), ("y", Dimension::Y), ("length", Dimension::Length), ("angle", Dimension::Angle)];
-
 /// The step of a picture that says none, m.
 const GRID: f64 = 1e-3;
 
@@ -62,8 +58,8 @@ pub(super) fn gesture(asked: &Value) -> Result<Gesture, Unread> {
 }
 
 fn dimension(asked: &Value) -> Result<Dimension, Unread> {
-    let found = DIMENSIONS.iter().find(|(word, _)| asked["dimension"] == *word);
-    found.map(|(_, dimension)| *dimension).ok_or(Unread("dimension: x, y, length or angle"))
+    let found = Dimension::ALL.into_iter().find(|dimension| asked["dimension"] == dimension.word());
+    found.ok_or(Unread("dimension: x, y, length or angle"))
 }
 
 pub(super) fn grid(asked: &Value) -> f64 {

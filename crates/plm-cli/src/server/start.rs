@@ -104,8 +104,7 @@ fn order(sheet: &Sheet<'_>, assembled: &Assembled) -> Vec<usize> {
     locked.chain(angles).chain(places).collect()
 }
 
-/// As many coordinates as there are freedoms at a pose, which say all others: by pivots of the projector on the motions that the rows
-/// leave free.
+/// Independent coordinates at a pose, one for each freedom: by pivots of the projector on the motions that the rows leave free.
 fn determining(oracle: &Oracle, q: &[f64], size: f64, order: &[usize]) -> Vec<usize> {
     let mut free = projector(oracle, q, size);
     let mut chosen = Vec::new();

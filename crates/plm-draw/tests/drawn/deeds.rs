@@ -318,7 +318,8 @@ fn a_copy_of_a_drawn_bar_is_drawn_on() {
     assert_eq!(compiled(&joined).problems, [], "{joined}");
     assert!(joined.contains("revolute pin2(bar1.b, bar2.a);"), "{joined}");
 }
-/// The same with a chain of bars, which has freedoms.
+
+/// A chain of two of its bars, which has freedoms.
 fn chain() -> String {
     TEXT.replace("    revolute pin3(ground.g2, bar2.b);\n", "")
 }

@@ -145,8 +145,8 @@ fn words(plan: &Plan) -> Vec<(&'static str, String)> {
         ("load", load),
         ("keep", keep),
         ("room", room),
-        ("fixed", given(plan, "GET")),
-        ("looked_at", given(plan, "SET")),
+        ("fixed", given(plan, GET)),
+        ("looked_at", given(plan, SET)),
         ("out", out(outputs)),
         ("vary", where_wanted(parameters > 0, &VARY.replace("COUNT", &parameters.to_string()))),
         ("said", said("x", plan.counts.states) + &said("out", outputs)),
@@ -169,20 +169,16 @@ fn said(array: &str, count: usize) -> String {
     where_wanted(count > 0, &each.replace("COUNT", &count.to_string()).replace("ARRAY", array))
 }
 
-/// Loops over parameters and inputs of a mechanism: all are written at the start (`GET`), and looked at before steps (`SET`).
-fn given(plan: &Plan, how: &str) -> String {
+/// Loops over parameters and inputs of a mechanism: all are written at the start ([`GET`]), and looked at before steps ([`SET`]).
+fn given(plan: &Plan, template: &str) -> String {
     let kinds = [
         ("PARAMETER", "parameter", plan.start.parameters.len()),
         ("INPUT", "input", plan.start.inputs.len()),
     ];
     let mut text = String::new();
     for (kind, name, count) in kinds.into_iter().filter(|(_, _, count)| *count > 0) {
-        let template = if how == "GET" { GET } else { SET };
-        let read_only = if how == "SET" && kind == "PARAMETER" && plan.is_fixed.contains(&true) {
-            indented(READ_ONLY, 12)
-        } else {
-            String::new()
-        };
+        let may_be_fixed = kind == "PARAMETER" && plan.is_fixed.contains(&true);
+        let read_only = where_wanted(may_be_fixed, &indented(READ_ONLY, 12));
         text.push_str(
             &template
                 .replace("READ_ONLY\n", &read_only)

@@ -9,7 +9,7 @@ use plm_source::Precision;
 
 use crate::support::STRICT;
 
-/// What a program of CUDA C says of a mechanism: its status and part, then states and outputs.
+/// A line of a program of CUDA C, of one mechanism: its status and part, then states and outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Said {
     pub(crate) status: i32,
@@ -20,7 +20,7 @@ pub(crate) struct Said {
 /// The two ways in which it is compiled.
 pub(crate) const WAYS: [&str; 2] = ["loop", "kernel"];
 
-/// What mechanisms say, one after another.
+/// The lines of the mechanisms side by side.
 pub(crate) fn said(
     name: &str,
     mechanism: &Mechanism,

@@ -44,12 +44,6 @@ impl Resolver<'_> {
         let names: Vec<&str> = names.iter().map(String::as_str).collect_vec();
         let is_near = nearest(key, names.iter().copied()).is_some();
         let diagnostic = self.error(scope, Code::UnknownName, span, format!("unknown name `{key}`"));
-        if let Some(owner) = owner.filter(|_| !is_near) {
-            diagnostic.help(format!(
-                "`{key}` is a port of `{owner}`, which is `{owner}.{key}` in a motion; a point has a name by `let {key} = (…, …) m;`"
-            ));
-            return Failed;
-        }
         if let Some(row) = row {
             diagnostic.help(match row {
                 RowId::Constraint(_) => {
@@ -64,6 +58,12 @@ impl Resolver<'_> {
         if is_optional {
             diagnostic.help(format!(
                 "the use of the part need not set it: it is known in `given {key} {{ … }}` alone"
+            ));
+            return Failed;
+        }
+        if let Some(owner) = owner.filter(|_| !is_near) {
+            diagnostic.help(format!(
+                "`{key}` is a port of `{owner}`, which is `{owner}.{key}` in a motion; a point has a name by `let {key} = (…, …) m;`"
             ));
             return Failed;
         }
@@ -88,13 +88,13 @@ impl Resolver<'_> {
 
     /// The first body of the mechanism itself, or its ground, that has a port with this name.
     fn owner_of_port(&self, scope: ScopeId, port: &str) -> Option<String> {
-        let model = &self.unresolved;
-        let bodies = model.bodies.iter().enumerate().map(|(number, body)| (Some(number), &body.name.text));
-        let ground = "ground".to_string();
-        let mut all = bodies.chain([(None, &ground)]);
-        let is_own = self.names.instance(scope).is_none();
-        let (_, owner) = all.find(|(body, _)| is_own && model.port_index(*body, port).is_some())?;
-        Some(owner.clone())
+        if self.names.instance(scope).is_some() {
+            return None;
+        }
+        let has_port = |body| self.unresolved.port_index(body, port).is_some();
+        let mut bodies = self.unresolved.bodies.iter().enumerate();
+        let own = bodies.find(|(number, _)| has_port(Some(*number))).map(|(_, body)| body.name.text.clone());
+        own.or_else(|| has_port(None).then(|| "ground".to_owned()))
     }
 
     pub(crate) fn unknown_part(&mut self, scope: ScopeId, ast: &ast::Instance) {
