@@ -1,6 +1,6 @@
 //! Derivatives are those of the steps that were made, also where these are so long that they are rough.
 
-use plm::{By, Dop853, Dopri5, Mechanism as _, Sim, Term, Trace, with_derivatives, with_trace};
+use plm::{By, Dop853, Dopri5, Dual, Mechanism as _, Sim, Term, Trace, with_derivatives, with_trace};
 
 use super::adjoint::gradient;
 use super::body;
@@ -76,6 +76,26 @@ fn slopes(at: [f64; 2], by: usize) -> [f64; 2] {
     [0, 1].map(|k| (4.0 * narrow[k] - wide[k]) / 3.0)
 }
 
+/// Ends with their derivatives by dual numbers.
+fn forward(by: [By; 2]) -> [Dual<f64, 2>; 2] {
+    let method = Dopri5::new(TOLERANCE.into()).with_longest_step(STEP.into());
+    let mut sim = with_derivatives(&Rough::new(), by).unwrap().start_with(method).unwrap();
+    sim.step_to(END.into()).unwrap();
+    ["ball", "block"].map(|name| body(sim.state(), name).x)
+}
+
+/// Derivatives of the ends by the reverse of a trace.
+fn backward(by: [By; 2]) -> [Vec<f64>; 2] {
+    let mut terms = vec![Term::EMPTY; 200_000];
+    let trace = Trace::new(&mut terms, 2);
+    let method = Dopri5::new(TOLERANCE.into()).with_longest_step(STEP.into());
+    let sim = with_trace(&Rough::new(), &by, &trace).unwrap().start_with(method).unwrap();
+    let advance = |sim: &mut _| Sim::step_towards(sim, END.into());
+    gradient(&trace, 20, sim, advance, |sim| ["ball", "block"].map(|name| body(sim.state(), name).x))
+        .unwrap()
+        .1
+}
+
 #[test]
 fn rough_steps_have_their_own_derivatives() {
     let by = [By::Parameter("stiffness"), By::Parameter("wall")];
@@ -91,20 +111,8 @@ fn rough_steps_have_their_own_derivatives() {
         "{rough:e}: the steps are too good to tell their derivatives from those of the motion"
     );
 
-    let method = Dopri5::new(TOLERANCE.into()).with_longest_step(STEP.into());
-    let mut dual = with_derivatives(&Rough::new(), by).unwrap().start_with(method).unwrap();
-    dual.step_to(END.into()).unwrap();
-    let forward = [body(dual.state(), "ball").x, body(dual.state(), "block").x];
+    let (forward, backward) = (forward(by), backward(by));
     assert_eq!(forward.map(|x| x.value), ends(at));
-
-    let mut terms = vec![Term::EMPTY; 200_000];
-    let trace = Trace::new(&mut terms, 2);
-    let method = Dopri5::new(TOLERANCE.into()).with_longest_step(STEP.into());
-    let sim = with_trace(&Rough::new(), &by, &trace).unwrap().start_with(method).unwrap();
-    let advance = |sim: &mut _| Sim::step_towards(sim, END.into());
-    let (_, backward) =
-        gradient(&trace, 20, sim, advance, |sim| ["ball", "block"].map(|name| body(sim.state(), name).x))
-            .unwrap();
 
     // Measured 8e-8 and 3e-10; states that move along their rate at the event differ by 4e-7 and 5e-6. An event is found on the dense output,
     // whose error has a derivative by the stiffness, and none by the place of the wall.

@@ -211,7 +211,8 @@ pub(super) fn solve<S: Real, const N: usize>(
     allowed: &[Allowed; N],
     modes: [Mode; N],
 ) -> Option<(Solution<S, N>, Margins<S, N>)> {
-    let (turned, found) = signed(rows, &modes)?;
+    let mut turned = None;
+    let found = signed(rows, &modes, &mut turned)?;
     let rows = turned.as_ref().unwrap_or(rows);
     let lambda = found.lambda;
     // A row without direction, whose D_ii is rounding, would need an unbounded force to be held.

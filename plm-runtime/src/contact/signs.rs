@@ -12,21 +12,22 @@ const MOST_TURNS: usize = 2;
 /// Most reactions along lines for which all combinations of signs are tried.
 const MOST_SIGNS: usize = 10;
 
-/// Multipliers of a combination; and the rows with the signs that the reactions then have, if these differ from the assumed ones.
+/// Multipliers of a combination. If the reactions then have other signs than the assumed ones, `turned` becomes the rows with these: in
+/// the caller's place, since rows are large and a returned value is copied.
 pub(super) fn signed<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     modes: &[Mode; N],
-) -> Option<(Option<Rows<S, N>>, Multipliers<S, N>)> {
-    let mut turned = None;
+    turned: &mut Option<Rows<S, N>>,
+) -> Option<Multipliers<S, N>> {
     for _ in 0..=MOST_TURNS * lines(rows) {
         let present = turned.as_ref().unwrap_or(rows);
         let found = multipliers(present, modes)?;
-        let Some(load) = wrong_sign(present, &found) else { return Some((turned, found)) };
-        if let Some(Load::Line { negative }) = turned.get_or_insert(*rows).load.get_mut(load) {
+        let Some(load) = wrong_sign(present, &found) else { return Some(found) };
+        if let Some(Load::Line { negative }) = turned.get_or_insert_with(|| *rows).load.get_mut(load) {
             *negative = !*negative;
         }
     }
-    by_all_signs(rows, modes)
+    by_all_signs(rows, modes, turned.get_or_insert_with(|| *rows))
 }
 
 /// Number of reactions along lines.
@@ -50,16 +51,18 @@ fn wrong_sign<S: Real, const N: usize>(
 fn by_all_signs<S: Real, const N: usize>(
     rows: &Rows<S, N>,
     modes: &[Mode; N],
-) -> Option<(Option<Rows<S, N>>, Multipliers<S, N>)> {
+    turned: &mut Rows<S, N>,
+) -> Option<Multipliers<S, N>> {
     (0..1_u32 << lines(rows).min(MOST_SIGNS)).find_map(|number| {
-        let (mut turned, mut left) = (*rows, number);
+        let mut left = number;
+        turned.load = rows.load;
         for load in &mut turned.load {
             if let Load::Line { negative } = load {
                 (*negative, left) = (left % 2 == 1, left / 2);
             }
         }
-        let found = multipliers(&turned, modes)?;
-        wrong_sign(&turned, &found).is_none().then_some((Some(turned), found))
+        let found = multipliers(turned, modes)?;
+        wrong_sign(turned, &found).is_none().then_some(found)
     })
 }
 
@@ -98,10 +101,11 @@ mod tests {
                 turned.load = core::array::from_fn(|load| Load::Line { negative: number >> load & 1 == 1 });
                 multipliers(&turned, &modes).is_some_and(|found| wrong_sign(&turned, &found).is_none())
             });
-            let found = signed(&rows, &modes);
+            let mut turned = None;
+            let found = signed(&rows, &modes, &mut turned);
             assert_eq!(found.is_some(), any);
             counts[usize::from(any)] += 1;
-            let Some((turned, found)) = found else { continue };
+            let Some(found) = found else { continue };
             let sizes: [f64; 3] = core::array::from_fn(|load| rows.reaction_at(load, &found.lambda)[0].abs());
             let limit = |row: usize| -> f64 {
                 rows.kinetic[row].lower.share.iter().zip(sizes).map(|(s, r)| s * r).sum()
@@ -119,8 +123,8 @@ mod tests {
         for _ in 0..3000 {
             let rows = random(&mut state);
             let wide: Rows<f64, 6> = with_room(&rows);
-            let found = signed(&rows, &modes).map(|(_, found)| found.lambda);
-            let other = signed(&wide, &filled(&modes, Mode::Off)).map(|(_, found)| found.lambda);
+            let found = signed(&rows, &modes, &mut None).map(|found| found.lambda);
+            let other = signed(&wide, &filled(&modes, Mode::Off), &mut None).map(|found| found.lambda);
             assert_eq!(found.is_some(), other.is_some());
             let Some((found, other)) = found.zip(other) else { continue };
             assert!(bits(&found, 3).eq(bits(&other, 3)), "{found:?} {other:?}");
