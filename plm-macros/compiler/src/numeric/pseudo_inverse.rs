@@ -56,11 +56,11 @@ fn sweep(matrix: &mut [Vec<f64>], rhs: &mut [f64]) -> bool {
             }
             (rhs[i], rhs[j]) = (c * rhs[i] - s * rhs[j], s * rhs[i] + c * rhs[j]);
             // Most of a square that becomes small is rounding.
-            let rotated = |row: &[f64], (before, after): (f64, f64)| {
+            let square = |row: &[f64], before: f64, after: f64| {
                 if after > CANCELLED * before { after } else { dot(row, row) }
             };
-            squares[i] = rotated(a, (alpha, alpha - t * gamma));
-            squares[j] = rotated(b, (beta, beta + t * gamma));
+            squares[i] = square(a, alpha, alpha - t * gamma);
+            squares[j] = square(b, beta, beta + t * gamma);
         }
     }
     rotated
